@@ -79,6 +79,7 @@ def _as_pay(model: Model, request: Request, profile: CostProfile) -> Chosen:
         min(cores(), MOST_CORES),
         lambda processes: searched(model, replace(request, procs=processes)),
         request.priced_shape,
+        request.scalar,
         reproducible=request.reproducible,
     )
     compared = tuple(sorted((each.processes, each.time) for each in found))
@@ -98,6 +99,7 @@ def _as_asked(model: Model, request: Request, profile: CostProfile) -> Chosen:
             profile,
             request.form,
             request.priced_shape,
+            request.scalar,
             reproducible=request.reproducible,
             certify=request.certify,
         )

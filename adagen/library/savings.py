@@ -103,5 +103,5 @@ def _whole(
 def _time(model: Model, plan: Plan, schedule: Schedule, profile: CostProfile) -> float:
     time = schedule.makespan
     if profile.steps is not None:
-        time = predicted_time(model, schedule, profile, plan.form)
+        time = predicted_time(model, schedule, profile, plan.form, scalar=plan.scalar)
     return float(np.round(time, 6))

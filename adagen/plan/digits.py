@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
 from adagen.plan.robot import PlanJoint
-from adagen.plan.steps import Join
+from adagen.plan.steps import Join, Propagate
 from adagen.plan.types import Plan
 
 EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
@@ -25,6 +25,9 @@ NEAR_GIMBAL_LOCK = 1e-3
 
 TINY = 2.0**-32
 """Products of four constants below it are subnormal in float."""
+
+FEW_CARRIED = 24
+"""Joints through which unit wrenches are carried before any of them is subnormal in float."""
 
 LEAST_PIVOT = {"double": 1e-5, "float": 1e-2}
 """Least pivot of Phi for inverting a mobility to an inertia, angular and linear pivots each
@@ -47,13 +50,16 @@ def least_mobility(plan: Plan, join: Join) -> list[float]:
 
 
 def meets_subnormals(plan: Plan) -> bool:
-    """Return whether a plan's constants make products that are subnormal in its scalar.
+    """Return whether a plan makes numbers that are subnormal in its scalar.
 
-    In double none is. In float those of frames turned by pi / 2 in doubles are, whose zeros are
-    1e-17.
+    In double none is to speak of. In float products of constants are, of frames turned by pi / 2 in
+    doubles, whose zeros are 1e-17. Unit wrenches are that are carried through a chain: a joint
+    passes on a tenth of some.
     """
-    if plan.scalar != "float":
+    if plan.scalar != "float" or plan.reproducible:  # which computes with them, as everywhere
         return False
+    if any(len(list(each.steps_of(Propagate))) > FEW_CARRIED for each in plan.processes):
+        return True
     joints, links = plan.joints, plan.links
     rows = (
         *(row for joint in joints for row in (*joint.rotation, joint.translation)),

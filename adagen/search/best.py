@@ -51,9 +51,8 @@ def best_schedule(
         limit: largest growth g at a cut of form `segment`, instead of what suits the scalar.
         gather: whether processes may gather at a core instead of being joined.
         shape: of the code that is emitted, as ``adagen.emit.emit`` takes it.
-        in_parts: whether a process may sweep a long chain in parts, one in each SIMD lane; it does
-            in double.
-        certify: whether one process bounds its errors, which only some parts allow.
+        in_parts: whether a process may sweep a long chain in parts, one in each SIMD lane.
+        certify: whether one process bounds its errors, which only some parts allow, none in float.
         search: further arguments of ``find_schedule``.
 
     Raises:
@@ -67,7 +66,7 @@ def best_schedule(
         search["cuttable"] = [False] * len(topology)
     if model.outputs or model.closed:
         return _held_together(model, processes, profile, form, scalar, **search)
-    in_parts = in_parts and profile.steps is not None and scalar == "double"  # as it is priced
+    in_parts = in_parts and profile.steps is not None and not (certify and scalar == "float")
     parts = LANES[scalar] if in_parts else 0
     if form == "segment" and processes == 1:
         whole = find_schedule(topology, 1, profile=profile, **search)
@@ -98,7 +97,9 @@ def _alone(
     found = parted(whole, model, parts if seen.trivial else 0)
     if found is None or (certify and not certifies(found, model)):
         return whole
-    families = Families(model, seen, whole.processes, profile, 0, shape, parts, certify=certify)
+    families = Families(
+        model, seen, whole.processes, profile, 0, scalar, shape, parts, certify=certify
+    )
     families.consider(whole, "alone")
     families.part(cuttable_joints(model, scalar, None, limit))
     found = families.taken()
@@ -114,7 +115,7 @@ def in_parts_alone(
         model: the robot.
         alone: the schedule by which one of some processes does everything.
         profile: the costs.
-        scalar: "double" or "float"; parts are priced in double.
+        scalar: "double" or "float"; in float parts lose too many digits to bound errors.
         shape: of the code that is emitted.
     """
     parts = LANES[scalar] if profile.steps is not None and scalar == "double" else 0
@@ -140,7 +141,7 @@ def _by_families(
         return _joined(seen, processes, profile, cuttable=cuttable, expansions=expansions, **search)
     search["expansions"] = scaled(expansions, len(model.joints))
     parts *= seen.trivial
-    families = Families(model, seen, processes, profile, expansions, shape, parts)
+    families = Families(model, seen, processes, profile, expansions, scalar, shape, parts)
     nowhere = [False] * len(seen.topology)
     families.consider(_joined(seen, processes, profile, cuttable=nowhere, **search), "alone")
     families.part(cuttable)

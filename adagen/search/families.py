@@ -81,6 +81,7 @@ class Families:
         processes: P.
         profile: a profile with the costs of steps.
         expansions: what each search may spend, for a robot of some tens of joints.
+        scalar: "double" or "float".
         shape: of the code that is emitted, "auto" for that of least price.
         parts: in how many parts a process may sweep a long chain of its own; 0: not in parts.
         certify: whether plans are priced with the bound of their errors.
@@ -93,6 +94,7 @@ class Families:
         processes: int,
         profile: CostProfile,
         expansions: int,
+        scalar: str = "double",
         shape: str = "auto",
         parts: int = 0,
         *,
@@ -100,7 +102,7 @@ class Families:
     ) -> None:
         self.model, self.seen, self.processes = model, seen, processes
         self.profile, self.costs, self.shape = profile, profile.measured, shape
-        self.parts, self.certify = parts, certify
+        self.scalar, self.parts, self.certify = scalar, parts, certify
         self.most, self.expansions = expansions, scaled(expansions, len(model.joints))
         self.topology = Topology.of(model)
         self.best: Schedule | None = None
@@ -137,7 +139,7 @@ class Families:
             self.consider(found, "parts")
 
     def _try(self, schedule: Schedule) -> None:
-        plan = make_plan(self.model, schedule)
+        plan = self._planned(schedule)
         plan = certified(plan) if self.certify else plan
         if plan.processes in self._tried:
             return
@@ -156,6 +158,9 @@ class Families:
                 self._loops = min(self._loops, line.makespan)
                 if line.makespan > _NEARLY * self._loops:
                     break  # its straight line would hardly be the fastest
+
+    def _planned(self, schedule: Schedule) -> Plan:
+        return make_plan(self.model, schedule, scalar=self.scalar)
 
     def _by_joint(self, program: Program, line: Timeline) -> list[float]:
         """What each joint takes of a straight line of one process."""
@@ -217,7 +222,7 @@ class Families:
                 self.consider(found, "gathered")
 
     def _played(self, schedule: Schedule) -> tuple[Plan, Timeline]:
-        plan = make_plan(self.model, schedule)
+        plan = self._planned(schedule)
         return plan, timeline(priced_program(plan, "kernels", self.profile), self.profile)
 
     def name(self, cuttable: Sequence[bool]) -> None:
@@ -233,7 +238,8 @@ class Families:
             found = named_schedule(name, self.seen.topology, self.processes, profile=self.profile)
             if all(cuttable[j] for j in joined_between_processes(found.root)):
                 found = self.seen.unfold(found, self.profile)
-                named.append((played(self.model, found, self.profile), k, found))
+                time = played(self.model, found, self.profile, self.scalar)
+                named.append((time, k, found))
         self.candidates += len(named)
         self.names += [str(found.strategy) for _, _, found in named]
         if named:
@@ -362,7 +368,7 @@ class Families:
 
     def _pricing(self, schedule: Schedule) -> Pricing:
         if self._priced is None:
-            self._priced = Pricing(make_plan(self.model, schedule), self.profile)
+            self._priced = Pricing(self._planned(schedule), self.profile)
         return self._priced
 
     @property

@@ -29,15 +29,16 @@ from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.costs import ChannelCosts, StepCosts
 
 
-def played(model: Model, schedule: Schedule, profile: CostProfile) -> float:
+def played(model: Model, schedule: Schedule, profile: CostProfile, scalar: str = "double") -> float:
     """Return the predicted time of a schedule as loops; microseconds.
 
     Args:
         model: the robot.
         schedule: of its joints.
         profile: a profile with the costs of steps.
+        scalar: "double" or "float".
     """
-    return predict(make_plan(model, schedule), profile, "kernels").makespan
+    return predict(make_plan(model, schedule, scalar=scalar), profile, "kernels").makespan
 
 
 @dataclass(frozen=True)

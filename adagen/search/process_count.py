@@ -30,6 +30,7 @@ def predicted_time(
     profile: CostProfile,
     form: str,
     shape: str = "auto",
+    scalar: str = "double",
     *,
     reproducible: bool = False,
     certify: bool = False,
@@ -44,12 +45,13 @@ def predicted_time(
         profile: the costs.
         form: of the algorithm.
         shape: of the code.
+        scalar: "double" or "float".
         reproducible: whether answers are the same on every number of processes.
         certify: whether errors are bounded, too.
     """
     if profile.steps is None:
         return schedule.makespan
-    plan = make_plan(model, schedule, form=form, reproducible=reproducible)
+    plan = make_plan(model, schedule, form=form, scalar=scalar, reproducible=reproducible)
     plan = certified(plan) if certify else plan
     return predict(plan, profile, shape).makespan
 
@@ -70,6 +72,7 @@ def choose_processes(
     most: int,
     schedule: Callable[[int], Schedule],
     shape: str = "auto",
+    scalar: str = "double",
     *,
     reproducible: bool = False,
 ) -> list[Candidate]:
@@ -82,12 +85,13 @@ def choose_processes(
         most: processes to consider at most, such as the number of cores.
         schedule: finds a schedule for a number of processes.
         shape: of the code.
+        scalar: "double" or "float".
         reproducible: whether answers are the same on every number of processes.
     """
 
     def candidate(processes: int) -> Candidate:
         found = schedule(processes)
-        time = predicted_time(model, found, profile, form, shape, reproducible=reproducible)
+        time = predicted_time(model, found, profile, form, shape, scalar, reproducible=reproducible)
         return Candidate(processes, found, time)
 
     best = candidate(1)

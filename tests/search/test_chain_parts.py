@@ -41,7 +41,8 @@ def test_a_long_chain_is_parted_where_that_is_faster() -> None:
     times = [predicted_time(model, each, XEON, "segment") for each in (found, whole)]
     assert found.parts == 8 and found.makespan == times[0] < 0.8 * times[1]
     assert best(serial_chain(40)) == best(model, in_parts=False) == 0
-    assert best(model, scalar="float") == 0
+    assert best(model, scalar="float") == 16
+    assert best(model, scalar="float", certify=True) == 0  # such bounds would be infinite
 
 
 def test_no_part_is_cut_where_that_costs_digits() -> None:

@@ -60,7 +60,7 @@ struct PlainSettings {
   [[maybe_unused]] static constexpr int kPlanMessages = 0;
   // As the cost profile has them.
   [[maybe_unused]] static constexpr Hops kHops{};
-  // Whether constants make products that are subnormal.
+  // Whether the solver makes subnormal numbers.
   [[maybe_unused]] static constexpr bool kMeetsSubnormals = false;
   // Backward error that a check lets pass.
   [[maybe_unused]] static constexpr double kTolerance = 1e-9;

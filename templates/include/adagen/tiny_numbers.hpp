@@ -5,9 +5,9 @@
 
 namespace {
 
-// While it exists, subnormal numbers count as zero in a solver whose constants make them. They are
-// below 1.2e-38 (float), and an operation with one takes a hundred cycles (x86-64). Where there are
-// none, this would take five nanoseconds for nothing. A reproducible solver computes with them, as
+// While it exists, subnormal numbers count as zero in a solver that makes them. They are below
+// 1.2e-38 (float), and an operation with one takes a hundred cycles (x86-64). Where there are none,
+// this would take five nanoseconds for nothing. A reproducible solver computes with them, as
 // everywhere.
 class TinyAreZero {
 #if defined(__SSE_MATH__) && !defined(ADAGEN_REPRODUCIBLE)
