@@ -12,6 +12,8 @@ from adagen.executor import simulate
 from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import CERTIFICATE, ENERGIES, Message, Process
+from adagen.program.lower import LOOPS
+from adagen.program.own_axes import own_axes_in_loops
 
 _NAMED = 6  # joints that a summary names before it only counts
 
@@ -82,7 +84,20 @@ def message_size(symbols: Symbols, message: Message) -> int:
         return max(1, len(source.machine.sent[symbols.plan.messages.index(message)]))
     whole = message.joint is None  # of slaved joints: all right-hand sides together
     columns = symbols.plan.right_hand_sides if whole else symbols.columns
-    return message.numbers(columns, symbols.plan.joints)
+    return message.numbers(columns, symbols.plan.joints) + _beside_placements(symbols, message)
+
+
+def _beside_placements(symbols: Symbols, message: Message) -> int:
+    """Return what loops send of joints beside 12 numbers each (templates/.../passages.hpp).
+
+    Where a link's mobility is in its own axes and that of the next one is not, both the turn of the
+    joint between them and its axes are needed.
+    """
+    plan, program = symbols.plan, symbols.program
+    if not message.placements or program.shape != LOOPS:
+        return 0
+    own = own_axes_in_loops(plan, program.slots.limbs, program.batch).always
+    return sum(6 for j in message.placements if j not in own and plan.joints[j].parent - 1 in own)
 
 
 def _tables(symbols: Symbols, process: Process) -> list[list[Range]]:

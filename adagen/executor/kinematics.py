@@ -10,7 +10,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.frames import Dense, Transform, Turn, about_z, placed, plus_cross
+from adagen.executor.frames import Dense, Rotation, Transform, Turn, about_z, placed, plus_cross
 from adagen.executor.state import State
 from adagen.graph import Expression, dot, matrix_times, total
 from adagen.model.kinds import KINDS, JointKind
@@ -90,6 +90,21 @@ class Motion:
         motion = self.state.zeros(6)
         motion[list(self._kind(j).free)] = v
         return x, motion
+
+    def placement_of(self, j: int) -> Array:
+        """Return the pose of a joint's child link in its parent's frame, shape (12,).
+
+        Its orientation by rows, and its origin.
+        """
+        x: Transform = self.state.memory["X", j]
+        units = (self.state.constants([float(i == k) for i in range(3)]) for k in range(3))
+        rotation = np.array([x.rotation.vector(unit) for unit in units]).T
+        return np.concatenate([rotation.ravel(), x.origin])
+
+    def take_placement(self, j: int, pose: Array) -> None:
+        """Take the pose of a joint's child link from another process that knows it."""
+        rotation = Rotation((Dense(pose[:9].reshape(3, 3)),))
+        self.state.memory["X", j] = Transform(rotation, pose[9:])
 
     def _placement(self, j: int, q: list[Expression]) -> tuple[Turn | Dense | None, Array | None]:
         """Rotation and shift of the child frame in the canonical joint frame; None for none."""

@@ -201,6 +201,7 @@ class Machine(Repeatable):
         passages = message.passages
         return [
             *passages,
+            *(("placement", j) for j in message.placements),
             *message.blocks,
             *message.biases,
             *message.forces,
@@ -217,6 +218,8 @@ class Machine(Repeatable):
         for side in message.sides:
             square, bias = machine.closures.fronts[side.closure].shown(side.rows, zero)
             memory["square", side], memory["bias", side] = square, bias
+        for j in message.placements:
+            memory["placement", j] = self.motion.placement_of(j)
         items = [(item, memory[item]) for item in self._items(message)]
         content: dict[Expression, None] = {}
         for _, value in items:
@@ -252,6 +255,8 @@ class Machine(Repeatable):
             memory = machine.memory
             memory[item] = memory[item] + value if item in added else value
             self.received.setdefault(number, {})[item] = value
+        for j in message.placements if message.repeats is None else ():
+            self.motion.take_placement(j, memory["placement", j])
         for side in message.sides:
             memory = machine.memory
             front = machine.closures.fronts[side.closure]

@@ -5,20 +5,19 @@ processes of both sides exchange their mobilities and bias accelerations, and al
 two chains. After the last join every process knows all forces on its own part. There are log2(P)
 exchanges, instead of log2(P) messages up and as many back.
 
-Along a serial chain, motions are exchanged likewise. Each process computes the passage of its own
-joints (pose and motion of their last link relative to the link before the first), and groups of
-processes combine passages level by level: two groups at a time, or as many as the schedule's fan
-says, each sending its passage to all processes that need it. So no process computes joints of
-others on the path to its own, but for a floating base or a rail that the chain hangs on. Work for
-the joints at the cuts is done after a process has sent its own passage, while it would wait for the
-others.
+Along a serial chain, motions are told outwards. Each process computes the passage of its own joints
+(pose and motion of their last link relative to the link before the first), and groups of processes
+combine passages level by level: two groups at a time, or as many as the schedule's fan says, each
+sending its passage to all processes beyond it. So no process computes joints of others on the path
+to its own, but for a floating base or a rail that the chain hangs on. How the joint at a cut lies
+is known to the process whose part begins with it. It goes with the mobility of the chain that hangs
+on that joint, so that nobody waits for motions of others than those before it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from adagen.errors import UsageError
 from adagen.plan.ada import Chain, assembled
@@ -31,7 +30,6 @@ from adagen.plan.steps import (
     Append,
     Arrive,
     Force,
-    Join,
     Kinematics,
     LinkBias,
     Passage,
@@ -42,9 +40,6 @@ from adagen.plan.steps import (
 )
 from adagen.plan.types import Message, Process
 from adagen.schedule import Node, Schedule, postorder
-
-_MEETING = (Receive, Join, LinkBias)
-"""Steps of a sweep from which on a process needs the motions of the joints that it only joins."""
 
 
 def why_not_exchange(joints: Sequence[PlanJoint], schedule: Schedule) -> str | None:
@@ -86,11 +81,14 @@ class ExchangePlanner(SegmentPlanner):
             raise UsageError(f"processes cannot exchange pair by pair: {reason}")
         self.at_work = at_work_of(schedule)
         self.knowing: dict[int, tuple[int, ...]] = {}  # who joins a joint, of those that are cut
+        self.told: frozenset[int] = frozenset()  # of these joints, those that others place
 
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
         """Return every process's steps, and the messages between them."""
         parts = self._parts(self.schedule.root)
         passages = None if parts is None else Passages(self, parts)
+        if parts is not None:
+            self.told = frozenset(part.start for part in parts[1:])
         top = self._assemble()
         self._disassemble(top)
         owns = self._owned() if passages is None else passages.owns()
@@ -117,19 +115,12 @@ class ExchangePlanner(SegmentPlanner):
                 every: list[Step] = [*map(Kinematics, reads), *steps]
             else:
                 before = passages.hung_on(p)
-                reads = tuple(sorted((*before, *own, *shares)))
-                asked, left = passages.asked_for(p)
-                first_message = next(
-                    (k for k, s in enumerate(steps) if isinstance(s, _MEETING)), len(steps)
-                )
-                late = [*left, *map(Kinematics, shares)]
+                reads = (*before, *own)
                 every = [
                     *map(Kinematics, before),
-                    *asked,
+                    *passages.steps[p],
                     *map(Kinematics, own),
-                    *steps[:first_message],
-                    *late,
-                    *steps[first_message:],
+                    *steps,
                 ]
             found.append(Process(tuple(every), reads, tuple(own), tuple(shares)))
         return tuple(found)
@@ -152,10 +143,15 @@ class ExchangePlanner(SegmentPlanner):
             self._show_bare(process, a, b)
         elif a.biases and b.biases and self._knows(a) != self._knows(b):
             self.exchange(
-                assembled(part, source, target)
+                self._told(part, source, target)
                 for part, others in ((a, b), (b, a))
                 for source, target in pairs(self._knows(part), self._knows(others))
             )
+
+    def _told(self, part: Chain, source: int, target: int) -> Message:
+        """The message about a chain: what it shows, and how the joint lies that it hangs on."""
+        hangs_on = tuple(sorted(link - 1 for link in part.biases if link - 1 in self.told))
+        return replace(assembled(part, source, target), placements=hangs_on)
 
     def _show_bare(self, process: int, a: Chain, b: Chain) -> None:
         """Steps for a bare link's bias on every process of a chain that it is joined to."""
@@ -235,7 +231,7 @@ class ExchangePlanner(SegmentPlanner):
 
 
 class Passages:
-    """Exchange of the motions of a serial chain, level by level.
+    """The motions of a serial chain, told outwards level by level.
 
     Args:
         planner: whose messages these are put among.
@@ -261,102 +257,59 @@ class Passages:
         inner, *outer = self.parts
         return [[*range(inner.stop)], *map(list, outer), *([] for _ in range(idle))]
 
-    def asked_for(self, process: int) -> tuple[list[Step], list[Step]]:
-        """Return the steps that the process or others wait for, and the remaining ones.
-
-        Where its own joints start must be known before these are swept. How the links move at which
-        it joins others' parts is asked only when it has told what its own part shows, and then it
-        waits for them.
-        """
-        parts = self.parts[process : process + 1]  # none of a process without work
-        links, passages = {part.start for part in parts}, set[Passage]()
-        asked: list[Step] = []
-        left: list[Step] = []
-        for step in reversed(self.steps[process]):
-            now = True
-            match step:
-                case Send(number):
-                    passages.update(self.planner.messages[number].passages)
-                case Receive(number):
-                    now = not passages.isdisjoint(self.planner.messages[number].passages)
-                case Append(whole, near, far):
-                    now = whole in passages
-                    passages.update((near, far) if now else ())
-                case Arrive(passage, near_link):
-                    now = passage.link in links
-                    if now:
-                        passages.add(passage)
-                        links.add(near_link)
-            (asked if now else left).append(step)
-        return asked[::-1], left[::-1]
-
     def _passage(self, at_work: Sequence[int]) -> Passage:
         return Passage(self.parts[at_work[0]].start, self.parts[at_work[-1]].stop - 1)
 
-    def _division(self, node: Node) -> Division:
-        """The groups of a node's processes, as many as the schedule combines at once."""
-        whole = Division([node], [])
-        while len(whole.groups) < self.planner.schedule.fan:
-            finer = whole.finer(self.planner.at_work)
-            if len(finer.groups) == len(whole.groups):
+    def _groups(self, node: Node) -> list[Node]:
+        """The groups of a node's processes, outwards, as many as the schedule combines at once."""
+        groups = [node]
+        while len(groups) < self.planner.schedule.fan:
+            finer = [one for group in groups for one in self._halves(group)]
+            if len(finer) == len(groups):
                 break
-            whole = finer
-        return whole
+            groups = finer
+        return groups
 
-    def _put_together(self, node: Node) -> None:
-        """Compute the passage of a node's processes; of several, only if another process needs it.
+    def _halves(self, group: Node) -> Sequence[Node]:
+        return group.children if len(self.planner.at_work[group.joint]) > 1 else (group,)
 
-        The outermost process finds its own, too: it waits meanwhile, and then knows how its joints
-        lie to each other when it hears how its part moves.
+    def _put_together(self, node: Node) -> tuple[int, ...]:
+        """Compute the passages before each of a node's processes, and their own if one asks for it.
+
+        The outermost process finds that of its own joints, too: it waits meanwhile, and then knows
+        how they lie to each other when it hears how its part moves.
+
+        Returns:
+            The processes that know the passage of all of them.
         """
         at_work = self.planner.at_work[node.joint]
         if len(at_work) == 1:
             self.steps[at_work[0]].append(Traverse(self._passage(at_work)))
-            return
-        division = self._division(node)
-        for group in division.groups:
-            self._put_together(group)
-        members = [self.planner.at_work[group.joint] for group in division.groups]
-        wanted = self._wanted(division, members)
+            return at_work
+        groups = self._groups(node)
+        knowing = [self._put_together(group) for group in groups]
+        members = [self.planner.at_work[group.joint] for group in groups]
         self.planner.exchange(
             [
                 self._message(self._passage(own), source, target)
                 for k, others in reversed(list(enumerate(members)))  # who has most to do first
-                for i, own in enumerate(members)
-                if i != k
-                for source, target in pairs(own, [p for p in others if i < wanted[p]])
+                for own, known in zip(members[:k], knowing, strict=False)
+                for source, target in pairs(known, others)
             ],
             self.steps,
         )
-        for p in at_work:
-            near = members[0]
-            for own in members[1 : wanted[p]]:
-                both = (*near, *own)
-                append = Append(self._passage(both), self._passage(near), self._passage(own))
-                self.steps[p].append(append)
-                near = both
+        asked = at_work[-1] < len(self.parts) - 1
+        for k, own in enumerate(members):
+            for p in own:
+                self._append(p, members[: k + 1] if asked and p in knowing[-1] else members[:k])
+        return knowing[-1]
 
-    def _wanted(self, division: Division, members: Sequence[tuple[int, ...]]) -> dict[int, int]:
-        """By process, the number of groups whose passages it needs, from the innermost on.
-
-        All, where processes beyond them ask for that of all; else up to the cuts that it joins.
-        """
-        if members[-1][-1] < len(self.parts) - 1:
-            return {p: len(members) for own in members for p in own}
-        wanted = {p: 0 for own in members for p in own}
-        for cut in division.cuts:
-            for p in self._hanging(cut, members):
-                wanted[p] = max(wanted[p], cut.at)
-        return wanted
-
-    @staticmethod
-    def _hanging(cut: Cut, members: Sequence[tuple[int, ...]]) -> list[int]:
-        """The processes that need the motion of the link before a cut.
-
-        The one whose own joints end there knows it by these.
-        """
-        joining = [p for own in members[cut.first : cut.beyond] for p in own]
-        return [p for p in joining if p != members[cut.at - 1][-1]]
+    def _append(self, p: int, members: Sequence[Sequence[int]]) -> None:
+        """The passage of successive groups on a process that knows that of each."""
+        for k in range(1, len(members)):
+            near = (members[0][0], members[k - 1][-1])
+            passages = ((members[0][0], members[k][-1]), near, members[k])
+            self.steps[p].append(Append(*map(self._passage, passages)))
 
     @staticmethod
     def _message(passage: Passage, source: int, target: int) -> Message:
@@ -369,53 +322,17 @@ class Passages:
             node: whose processes do that.
             start: the link that their part hangs on.
         """
-        if len(self.planner.at_work[node.joint]) == 1:
+        at_work = self.planner.at_work[node.joint]
+        if len(at_work) == 1:
             return
-        division = self._division(node)
-        members = [self.planner.at_work[group.joint] for group in division.groups]
-        before = [
-            self._passage((members[0][0], own[-1])) for own in members
-        ]  # of all groups up to each
-        for cut in division.cuts:
-            for p in self._hanging(cut, members):
-                self.steps[p].append(Arrive(before[cut.at - 1], start))
-        for k, group in enumerate(division.groups):
-            self._arrive(group, before[k - 1].link if k else start)
-
-
-class Cut(NamedTuple):
-    """A cut between successive groups: groups first .. at .. beyond."""
-
-    first: int
-    at: int
-    beyond: int
-
-
-@dataclass(frozen=True)
-class Division:
-    """Groups of processes that combine their passages at once, and the cuts between them.
-
-    Attributes:
-        groups: outwards along the chain, the nodes whose processes they are.
-        cuts: where they meet, those of the most groups first.
-    """
-
-    groups: list[Node]
-    cuts: list[Cut]
-
-    def finer(self, at_work: Mapping[int, tuple[int, ...]]) -> Division:
-        """Return the same with each group of several processes divided in two."""
-        groups: list[Node] = []
-        own: list[Cut] = []
-        ends = [0]
-        for group in self.groups:
-            sides = group.children if len(at_work[group.joint]) > 1 else (group,)
-            if len(sides) == 2:
-                own.append(Cut(ends[-1], ends[-1] + 1, ends[-1] + 2))
-            groups += sides
-            ends.append(len(groups))
-        cuts = [Cut(*(ends[end] for end in cut)) for cut in self.cuts]
-        return Division(groups, [*cuts, *own])
+        for group in self._groups(node):
+            own, near = self.planner.at_work[group.joint], start
+            if own[0] > at_work[0]:
+                before = self._passage((at_work[0], own[0] - 1))
+                near = before.link
+                for p in own:
+                    self.steps[p].append(Arrive(before, start))
+            self._arrive(group, near)
 
 
 def hung_on(joints: Sequence[PlanJoint]) -> int:

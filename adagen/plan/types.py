@@ -76,6 +76,8 @@ class Message:
         inertias: links whose I^A and p^A, summed over the source's limbs, are in it: 21 numbers,
             and 6 for each right-hand side. The target adds them to its own.
         passages: passages of runs, 24 numbers each.
+        placements: joints of which it says how they lie: where the child link is, and how it is
+            turned, 12 numbers each.
         sides: contributions of the source's joints to the rows of closures, which the target adds
             to its own: for n rows n (n + 1) / 2 numbers, and n for each right-hand side.
         repeats: number of the message that it repeats for a correction, without blocks, inertias
@@ -93,6 +95,7 @@ class Message:
     joints: tuple[int, ...] = ()
     inertias: tuple[int, ...] = ()
     passages: tuple[Passage, ...] = field(default=(), metadata=OPTIONAL)
+    placements: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
     sides: tuple[SideOfLoops, ...] = field(default=(), metadata=OPTIONAL)
     repeats: int | None = field(default=None, metadata=OPTIONAL)
     weighed: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
@@ -107,6 +110,7 @@ class Message:
             return NUMBERS_OF_SHARE + NUMBERS_AT_LINK * len(self.weighed)
         vectors = len(self.biases) + len(self.forces) + len(self.inertias)
         matrices = 36 * len(self.blocks) + 21 * len(self.inertias) + 24 * len(self.passages)
+        matrices += 12 * len(self.placements)
         matrices += sum(side.rows * (side.rows + 1) // 2 for side in self.sides)
         matrices = matrices if self.repeats is None else 0
         rows = sum(side.rows for side in self.sides)

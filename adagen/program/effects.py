@@ -331,7 +331,8 @@ def contents(message: Message) -> tuple[Place, ...]:
         *message.biases,
         *message.forces,
     )
-    return (*named, *accelerations, *sides)
+    placed: tuple[Place, ...] = tuple(("transform", joint) for joint in message.placements)
+    return (*named, *placed, *accelerations, *sides)
 
 
 def added_by(message: Message) -> tuple[int, ...]:

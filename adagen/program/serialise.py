@@ -108,6 +108,7 @@ def _of_step(plan: Plan, operation: Operation) -> dict[str, Any]:
 def _message(plan: Plan, number: int) -> dict[str, Any]:
     message = plan.messages[number]
     passages = [[plan.joints[j].name for j in (p.first, p.last)] for p in message.passages]
+    placed = [plan.joints[j].name for j in message.placements]
     sides = [[plan.joints[j].name for j in side.joints] for side in message.sides]
     return {
         "from": message.source,
@@ -119,5 +120,6 @@ def _message(plan: Plan, number: int) -> dict[str, Any]:
         "inertias": [plan.links[k].name for k in message.inertias],
         "joints": [plan.joints[j].name for j in message.joints],
         **({"passages": passages} if passages else {}),
+        **({"placements": placed} if placed else {}),
         **({"sides": sides} if sides else {}),
     }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import groupby
 
 import numpy as np
 import pytest
@@ -24,8 +23,9 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import Plan, Process
+from adagen.plan.types import Plan
 from adagen.program import check
+from adagen.program.check import ProgramError
 from adagen.program.lower import lower
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
@@ -66,8 +66,7 @@ def test_motions_of_a_serial_chain_are_told(joints: int, processes: int, kind: J
     for process in plan.processes:
         told = [step for step in process.steps if isinstance(step, Traverse)]
         assert len(told) == 1  # nobody asks how the outermost part moves, but it waits meanwhile
-        cuts = sum(len(path.shares) for path in plan.processes) // processes + 1
-        assert len(process.reads) <= len(process.owns) + cuts  # and nobody passes others' joints
+        assert process.reads == process.owns  # and nobody passes others' joints
     assert plan_from_json(plan_to_json(plan)) == plan
 
 
@@ -82,8 +81,8 @@ def test_several_groups_put_their_passages_together_at_once(processes: int, fan:
         check(lower(plan, shape))
     assert error(model, plan) < 1e-11
     assert unguarded(plan) == []
-    turns = [passage_turns(p) for p in (plan, make_plan(model, pairs, meeting="exchange"))]
-    assert turns[0] < turns[1]
+    waits = [in_a_row(p) for p in (plan, make_plan(model, pairs, meeting="exchange"))]
+    assert waits[0] < waits[1]
     for process in plan.processes:
         told = {
             passage
@@ -96,23 +95,39 @@ def test_several_groups_put_their_passages_together_at_once(processes: int, fan:
 
 
 @pytest.mark.parametrize("fan", [2, 8])
-def test_what_a_process_only_joins_is_asked_for_while_it_waits(fan: int) -> None:
+def test_motions_are_told_outwards_and_how_joints_at_cuts_lie_with_mobilities(fan: int) -> None:
+    """Nobody waits for how joints beyond its own move, or computes the ones that it only joins."""
     model = serial_chain(24)
     schedule = named_schedule("balanced", Topology.of(model), 8, profile=PROFILE)
     plan = make_plan(model, replace(schedule, fan=fan), meeting="exchange")
-    for process in plan.processes:
-        told = next(
-            k
-            for k, step in enumerate(process.steps)
-            if isinstance(step, Send) and plan.messages[step.message].sweep == "assembly"
-        )
-        placed = {s.joint for s in process.steps[:told] if isinstance(s, Kinematics)}
-        assert placed == set(process.owns)
-        arrived = [s.passage.link for s in process.steps[:told] if isinstance(s, Arrive)]
-        assert process.owns[0] in arrived or process.owns[0] == 0
-    # At the ground nobody waits before its own part is swept, unless others ask it for more.
-    early = plan.processes[0].steps[: plan.processes[0].steps.index(Kinematics(0))]
-    assert any(isinstance(step, Receive) for step in early) == (fan == 2)
+    for message in plan.messages:
+        assert bool(message.passages) == (message.sweep == "kinematics")
+        assert not message.passages or message.source < message.target
+        firsts = {plan.processes[p].owns[0] for p in range(1, 8)}
+        hangs_on = {block.row - 1 for block in message.blocks if block.row - 1 in firsts}
+        assert set(message.placements) == hangs_on
+    for p, process in enumerate(plan.processes):
+        assert process.reads == process.owns
+        assert {step.joint for step in process.steps_of(Kinematics)} == set(process.owns)
+        arrived = [step.passage.link for step in process.steps_of(Arrive)]
+        assert arrived[-1:] == [process.owns[0]] * (p > 0)
+    # At the ground nobody waits before its own part is swept.
+    first = plan.processes[0].steps
+    begun = next(step for step in first if isinstance(step, Receive))
+    assert plan.messages[begun.message].sweep == "assembly"
+
+
+def test_what_comes_with_a_mobility_is_checked() -> None:
+    """A joint of which nobody says how it lies cannot be joined."""
+    model = serial_chain(12)
+    schedule = named_schedule("balanced", Topology.of(model), 4, profile=PROFILE)
+    plan = make_plan(model, schedule, meeting="exchange")
+    number = next(k for k, message in enumerate(plan.messages) if message.placements)
+    messages = list(plan.messages)
+    messages[number] = replace(messages[number], placements=())
+    for shape in ("kernels", "unrolled"):
+        with pytest.raises(ProgramError, match="transform"):
+            check(lower(replace(plan, messages=tuple(messages)), shape))
 
 
 def test_processes_without_work_stay_idle() -> None:
@@ -123,21 +138,24 @@ def test_processes_without_work_stay_idle() -> None:
     assert error(model, plan) < 1e-11
 
 
-def passage_turns(plan: Plan) -> int:
-    """Return how many times a process sends passages again after it has waited, at the most."""
-    return max(
-        len(list(groupby(own)))
+def in_a_row(plan: Plan) -> int:
+    """Return how many passages are sent one after the other, each when the one before is there."""
+    known = [0] * len(plan.processes)
+    sent: dict[int, int] = {}
+    told = [k for k, message in enumerate(plan.messages) if message.passages]
+    steps = [
+        [s for s in process.steps if isinstance(s, Send | Receive) and s.message in told]
         for process in plan.processes
-        if (
-            own := [
-                type(s) for s in process.steps[: _first(process)] if isinstance(s, Send | Receive)
-            ]
-        )
-    )
-
-
-def _first(process: Process) -> int:
-    return next(k for k, step in enumerate(process.steps) if isinstance(step, Kinematics))
+    ]
+    while any(steps):
+        for p, own in enumerate(steps):
+            while own and (isinstance(own[0], Send) or own[0].message in sent):
+                step = own.pop(0)
+                if isinstance(step, Send):
+                    sent[step.message] = known[p] + 1
+                else:
+                    known[p] = max(known[p], sent[step.message])
+    return max(sent.values())
 
 
 def used_by(step: Step) -> tuple[Passage, ...]:

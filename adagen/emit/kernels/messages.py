@@ -28,6 +28,7 @@ def sent(symbols: Symbols, operation: Operation) -> list[str]:
         *in_a_row(
             "to",
             [
+                *(f"put_placement<{j}>(to, w)" for j in message.placements),
                 *(f"put(to, {item})" for item in _items(symbols, message)),
                 *(f"put(to, w.bodies[{link}])" for link in message.inertias),
             ],
@@ -47,6 +48,7 @@ def received(symbols: Symbols, operation: Operation) -> list[str]:
         *in_a_row(
             "from",
             [
+                *(f"get_placement<{j}>(from, w)" for j in message.placements),
                 *(f"get_responses(from, w, {symbols.plan.joints[j].v})" for j in message.joints),
                 *(f"get(from, {item})" for item in _items(symbols, replace(message, joints=()))),
                 *(f"{'get' if one else 'add'}(from, w.bodies[{k}])" for k, one in taken),

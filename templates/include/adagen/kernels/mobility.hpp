@@ -382,10 +382,12 @@ Columns6 force_on(Workspace& w) {
   Vector<Value> r = w.joints[static_cast<std::size_t>(j)].r;
   X.E = back;
   if (turned_link(parent)) {
-    const Matrix<Value> R = matrix_at(w.of(parent - 1, kAxes));
     X.E = transposed_of(matrix_at(w.of(j, kTurn)));
-    r = {dot(r, Vector<Value>{R.x.x, R.y.x, R.z.x}), dot(r, Vector<Value>{R.x.y, R.y.y, R.z.y}),
-         dot(r, Vector<Value>{R.x.z, R.y.z, R.z.z})};
+    const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+    if (kind == JointKind::kRevolute || kind == JointKind::kSpherical)
+      r = origin_of(single(j));
+    else
+      r = transposed(matrix_at(w.of(parent - 1, kAxes))) * r;
   }
   X.r = Vec3(r.x, r.y, r.z);
   Y.E = turned_link(j + 1) ? Mat3(Mat3::Identity()) : back;

@@ -18,6 +18,7 @@
 #include "memory.hpp"
 #include "outward.hpp"
 #include "passage.hpp"
+#include "turned.hpp"
 
 namespace {
 
@@ -71,6 +72,49 @@ void traverse(Workspace& w, Passage<Value>& own) {
     own.alpha += cross(own.omega, spin);
     own.omega += spin;
   });
+}
+
+// How a joint lies, for those that join it but do not move it: its axes and its lever. Where what
+// it hangs on is told in that link's own axes, how it is turned there, and its axes if they are
+// asked for, too (set_transforms in mobility.hpp).
+template <int j>
+[[maybe_unused]] constexpr bool kInLinkAxes = turned_link(kJoints[j].parent);
+template <class Put>
+ADAGEN_INLINE Number* put_matrix(Number* to, const Matrix<Put>& m) {
+  for (const Vector<Put>* u : {&m.x, &m.y, &m.z}) {
+    to[0] = Number(u->x), to[1] = Number(u->y), to[2] = Number(u->z);
+    to += 3;
+  }
+  return to;
+}
+inline Matrix<Value> get_matrix(const Number* from) {
+  const auto row = [from](int k) {
+    return Vector<Value>{Value(from[k]), Value(from[k + 1]), Value(from[k + 2])};
+  };
+  return {row(0), row(3), row(6)};
+}
+template <int j>
+Number* put_placement(Number* to, Workspace& w) {
+  if constexpr (kInLinkAxes<j>) {
+    to = put_matrix(to, matrix_at(w.of(j, kTurn)));
+    return turned(j) ? to : put_matrix(to, matrix_at(w.of(j, kAxes)));
+  }
+  const Vector<Value> r = w.joints[j].r;
+  to = put_matrix(to, matrix_at(w.of(j, kAxes)));
+  to[0] = Number(r.x), to[1] = Number(r.y), to[2] = Number(r.z);
+  return to + 3;
+}
+template <int j>
+const Number* get_placement(const Number* from, Workspace& w) {
+  if constexpr (kInLinkAxes<j>) {
+    put_at(w.of(j, kTurn), get_matrix(from));
+    if (turned(j)) return from + 9;
+    put_at(w.of(j, kAxes), get_matrix(from + 9));
+    return from + 18;
+  }
+  put_at(w.of(j, kAxes), get_matrix(from));
+  w.joints[j].r = {Value(from[9]), Value(from[10]), Value(from[11])};
+  return from + 12;
 }
 
 // Into a message, and out of one.
