@@ -13,6 +13,7 @@
 #include "constants.hpp"
 #include "relax.hpp"
 #include "sample/messages.hpp"
+#include "shared_lines.hpp"
 #include "sizes.hpp"
 #include "stamp.hpp"
 #include "status.hpp"
@@ -53,6 +54,9 @@ class Channel {
     auto& [place, content] = slot(k, number);
     content[0] = static_cast<Number>(status);
     place.store(number, std::memory_order_release);
+    const std::size_t bytes = static_cast<std::size_t>(kMessages[at(k)].size + 1) * sizeof(Number);
+    hand_over(&place, sizeof place), hand_over(content.data(), bytes);
+    take_back(slot(k, number + 1).content.data(), bytes);
   }
 
   // Waits for message k and returns its content; what its source knows of failures joins the

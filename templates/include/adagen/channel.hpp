@@ -18,6 +18,7 @@
 #include "constants.hpp"
 #include "relax.hpp"
 #include "sample/messages.hpp"
+#include "shared_lines.hpp"
 #include "sizes.hpp"
 #include "stamp.hpp"
 #include "status.hpp"
@@ -97,6 +98,9 @@ class Channel {
       Slot& slot = port.slot(++port.count, k);
       slot.content()[0] = static_cast<Number>(status);
       slot.number.store(port.count, std::memory_order_release);
+      const std::size_t bytes = slot_bytes(kMessages[k]);
+      hand_over(&slot, bytes);
+      take_back(port.slot(port.count + 1, k).content(), bytes - kCacheLine);
       return;
     }
     port.buffer[0] = static_cast<Number>(status);
