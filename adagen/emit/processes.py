@@ -77,6 +77,13 @@ def in_a_row(place: str, calls: Sequence[str]) -> list[str]:
     return [f"  {place} = {call};" for call in calls[:-1]] + [f"  {call};" for call in calls[-1:]]
 
 
+def block_calls(symbols: Symbols, message: Message, verb: str, place: str) -> list[str]:
+    """Return the calls that put the blocks of a message there, or get them."""
+    alike = ("" if block.row != block.column else "_symmetric" for block in message.blocks)
+    named = zip(alike, map(symbols.block, message.blocks), strict=True)
+    return [f"{verb}{symmetric}({place}, {block})" for symmetric, block in named]
+
+
 def message_size(symbols: Symbols, message: Message) -> int:
     """Return the numbers in a message, at least one."""
     if symbols.plan.reproducible:

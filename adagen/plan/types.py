@@ -69,7 +69,7 @@ class Message:
             and their sources), "torques" (their coupling torques), "energies" or
             "certificate".
         joint: the joint that completed the chain concerned; None for the last two.
-        blocks: blocks in it, 36 numbers each.
+        blocks: blocks in it: 21 numbers of a handle's own, which is symmetric, 36 of two handles.
         biases: biases in it, 6 numbers for each right-hand side.
         forces: wrenches in it, likewise.
         joints: joints whose accelerations are in it, for every right-hand side.
@@ -109,7 +109,8 @@ class Message:
         if self.sweep == CERTIFICATE:
             return NUMBERS_OF_SHARE + NUMBERS_AT_LINK * len(self.weighed)
         vectors = len(self.biases) + len(self.forces) + len(self.inertias)
-        matrices = 36 * len(self.blocks) + 21 * len(self.inertias) + 24 * len(self.passages)
+        matrices = sum(21 if block.row == block.column else 36 for block in self.blocks)
+        matrices += 21 * len(self.inertias) + 24 * len(self.passages)
         matrices += 12 * len(self.placements)
         matrices += sum(side.rows * (side.rows + 1) // 2 for side in self.sides)
         matrices = matrices if self.repeats is None else 0

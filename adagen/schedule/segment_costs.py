@@ -266,7 +266,7 @@ class SegmentCosts:
         channel = self.costs.window
         half = channel.number / 2 * TICKS
         return Transit(
-            round((36 * pairs + 6 * count) * half),
+            round((36 * (pairs - count) + 27 * count) * half),
             round(6 * count * half),
             round(channel.send * TICKS),
             round(channel.latency * TICKS),

@@ -117,7 +117,7 @@ class ChainExchange:
         alike = count & (count - 1) == 0  # halves are of equal size, on all levels
         waits = levels / 2 + (1 / 4 if count > 2 else 0) if alike else levels / 3
         return (
-            levels * (join + 42 * costs.window.number)
+            levels * (join + 27 * costs.window.number)
             + beside
             + costs.window.latency * waits
             + inside * costs["root.invert"]

@@ -5,7 +5,7 @@
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, refine 1 (wide residual), channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_refined_p2.h
-// program   2 processes, joined at cuts; 0.664 us predicted (default profile)
+// program   2 processes, joined at cuts; 0.658 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
 //           process 1: left_finger_slide | right_finger_slide in 2 lanes, wrist_pitch .. flange_roll
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
@@ -84,7 +84,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 7> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "flange_roll"
+    {1, 0, 27},  // 0: assembled: chain of "flange_roll"
     {0, 1, 6},  // 1: forces on: chain of "flange_roll"
     {0, 1, 22},  // 2: state
     {1, 0, 4},  // 3: accelerations
@@ -188,7 +188,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_flange_roll.Phi_wrist_housing);
+    from = get_symmetric(from, w.j_flange_roll.Phi_wrist_housing);
     get(from, w.j_flange_roll.b_wrist_housing);
   }
   stamp(3);
@@ -250,7 +250,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_flange_roll.Phi_wrist_housing);
+    to = put_symmetric(to, w.j_flange_roll.Phi_wrist_housing);
     put(to, w.j_flange_roll.b_wrist_housing);
     channel.send(0, w.status);
   }
@@ -282,7 +282,7 @@ static void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& c
   }
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_flange_roll.Phi_wrist_housing);
+    from = get_symmetric(from, w.j_flange_roll.Phi_wrist_housing);
     get(from, w.j_flange_roll.b_wrist_housing);
   }
   {
@@ -329,7 +329,7 @@ static void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& c
   invert_root<1, 5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_flange_roll.Phi_wrist_housing);
+    to = put_symmetric(to, w.j_flange_roll.Phi_wrist_housing);
     put(to, w.j_flange_roll.b_wrist_housing);
     channel.send(0, w.status);
   }

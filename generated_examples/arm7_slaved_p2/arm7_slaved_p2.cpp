@@ -84,7 +84,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}, 7, 1.0, 0.0}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 6> kMessages{ {
-    {1, 0, 48},  // 0: assembled: chain of "flange_roll"
+    {1, 0, 33},  // 0: assembled: chain of "flange_roll"
     {0, 1, 12},  // 1: forces on: chain of "flange_roll"
     {1, 0, 4},  // 2: accelerations of slaved joints
     {0, 1, 1},  // 3: torques of slaved joints
@@ -596,7 +596,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_flange_roll.Phi_wrist);
+    from = get_symmetric(from, w.j_flange_roll.Phi_wrist);
     get(from, w.j_flange_roll.b_wrist);
   }
   stamp(3);
@@ -666,7 +666,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_flange_roll.Phi_wrist);
+    to = put_symmetric(to, w.j_flange_roll.Phi_wrist);
     put(to, w.j_flange_roll.b_wrist);
     channel.send(0, w.status);
   }

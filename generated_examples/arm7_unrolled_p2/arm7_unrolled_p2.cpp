@@ -4,7 +4,7 @@
 // input     profile default, sha256 ca4a51af355cf086c0c797c655589730aa37760b0f68212193c1fa9a273876f0
 // options   form ada (assembly-disassembly algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_unrolled_p2.h
-// program   2 processes, joined at cuts; 0.514 us predicted (default profile)
+// program   2 processes, joined at cuts; 0.508 us predicted (default profile)
 //           process 0: base_yaw .. wrist_pitch
 //           process 1: flange_roll .. right_finger_slide
 // schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))
@@ -81,7 +81,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "flange_roll"
+    {1, 0, 27},  // 0: assembled: chain of "flange_roll"
     {0, 1, 6},  // 1: forces on: chain of "flange_roll"
     {0, 1, 21},  // 2: state
     {1, 0, 3}}};  // 3: accelerations

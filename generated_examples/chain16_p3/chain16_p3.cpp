@@ -5,7 +5,7 @@
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p3.h
-// program   3 processes, joined at cuts; 1.14 us predicted (default profile)
+// program   3 processes, joined at cuts; 1.13 us predicted (default profile)
 //           process 0: joint01 .. joint08
 //           process 1: joint09 .. joint12
 //           process 2: joint13 .. joint16
@@ -107,8 +107,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 8> kMessages{ {
-    {2, 1, 42},  // 0: assembled: chain of "joint14"
-    {1, 0, 42},  // 1: assembled: chain of "joint12"
+    {2, 1, 27},  // 0: assembled: chain of "joint14"
+    {1, 0, 27},  // 1: assembled: chain of "joint12"
     {0, 1, 6},  // 2: forces on: chain of "joint12"
     {1, 2, 6},  // 3: forces on: chain of "joint14"
     {0, 1, 28},  // 4: state
@@ -236,7 +236,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 1: assembled: chain of "joint12"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_joint12.Phi_rod08);
+    from = get_symmetric(from, w.j_joint12.Phi_rod08);
     get(from, w.j_joint12.b_rod08);
   }
   stamp(3);
@@ -294,7 +294,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 2: assembled: chain of "joint14"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_joint14.Phi_rod12);
+    from = get_symmetric(from, w.j_joint14.Phi_rod12);
     get(from, w.j_joint14.b_rod12);
   }
   stamp(3);
@@ -315,7 +315,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(4);
   {  // to process 0: assembled: chain of "joint12"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_joint12.Phi_rod08);
+    to = put_symmetric(to, w.j_joint12.Phi_rod08);
     put(to, w.j_joint12.b_rod08);
     channel.send(1, w.status);
   }
@@ -368,7 +368,7 @@ static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 1: assembled: chain of "joint14"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_joint14.Phi_rod12);
+    to = put_symmetric(to, w.j_joint14.Phi_rod12);
     put(to, w.j_joint14.b_rod12);
     channel.send(0, w.status);
   }

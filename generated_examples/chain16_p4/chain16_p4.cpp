@@ -5,7 +5,7 @@
 // options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p4.h
-// program   4 processes, joined at cuts; 2.07 us predicted (default profile)
+// program   4 processes, joined at cuts; 2.05 us predicted (default profile)
 //           process 0: joint01 .. joint07, joint10
 //           process 1: joint08 .. joint09
 //           process 2: joint11 .. joint13
@@ -120,9 +120,9 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
-    {1, 0, 120},  // 0: assembled: chain of "joint08"
-    {3, 2, 42},  // 1: assembled: chain of "joint14"
-    {2, 0, 42},  // 2: assembled: chain of "joint13"
+    {1, 0, 90},  // 0: assembled: chain of "joint08"
+    {3, 2, 27},  // 1: assembled: chain of "joint14"
+    {2, 0, 27},  // 2: assembled: chain of "joint13"
     {0, 2, 6},  // 3: forces on: chain of "joint13"
     {0, 1, 12},  // 4: forces on: chain of "joint08"
     {2, 3, 6},  // 5: forces on: chain of "joint14"
@@ -1022,9 +1022,9 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 1: assembled: chain of "joint08"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_joint08.Phi_rod07);
+    from = get_symmetric(from, w.j_joint08.Phi_rod07);
     from = get(from, w.j_joint08.Phi_rod07_rod09);
-    from = get(from, w.j_joint08.Phi_rod09);
+    from = get_symmetric(from, w.j_joint08.Phi_rod09);
     from = get(from, w.j_joint08.b_rod07);
     get(from, w.j_joint08.b_rod09);
   }
@@ -1033,7 +1033,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(4);
   {  // from process 2: assembled: chain of "joint13"
     const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_joint13.Phi_rod10);
+    from = get_symmetric(from, w.j_joint13.Phi_rod10);
     get(from, w.j_joint13.b_rod10);
   }
   stamp(5);
@@ -1086,9 +1086,9 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 0: assembled: chain of "joint08"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_joint08.Phi_rod07);
+    to = put_symmetric(to, w.j_joint08.Phi_rod07);
     to = put(to, w.j_joint08.Phi_rod07_rod09);
-    to = put(to, w.j_joint08.Phi_rod09);
+    to = put_symmetric(to, w.j_joint08.Phi_rod09);
     to = put(to, w.j_joint08.b_rod07);
     put(to, w.j_joint08.b_rod09);
     channel.send(0, w.status);
@@ -1130,7 +1130,7 @@ static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 3: assembled: chain of "joint14"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_joint14.Phi_rod13);
+    from = get_symmetric(from, w.j_joint14.Phi_rod13);
     get(from, w.j_joint14.b_rod13);
   }
   stamp(3);
@@ -1138,7 +1138,7 @@ static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(4);
   {  // to process 0: assembled: chain of "joint13"
     Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_joint13.Phi_rod10);
+    to = put_symmetric(to, w.j_joint13.Phi_rod10);
     put(to, w.j_joint13.b_rod10);
     channel.send(2, w.status);
   }
@@ -1191,7 +1191,7 @@ static void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 2: assembled: chain of "joint14"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_joint14.Phi_rod13);
+    to = put_symmetric(to, w.j_joint14.Phi_rod13);
     put(to, w.j_joint14.b_rod13);
     channel.send(1, w.status);
   }

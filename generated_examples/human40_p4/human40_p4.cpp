@@ -5,7 +5,7 @@
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes human40_p4.h
-// program   4 processes, joined at cuts; 0.888 us predicted (default profile)
+// program   4 processes, joined at cuts; 0.877 us predicted (default profile)
 //           process 0: root .. left_hip, right_hip .. spine
 //           process 1: left_knee .. left_ankle
 //           process 2: neck | right_wrist in 2 lanes, left_shoulder, right_shoulder .. right_elbow
@@ -106,9 +106,9 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.26, 0.0, 0.0}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "left_knee"
-    {3, 2, 42},  // 1: assembled: chain of "left_elbow"
-    {2, 0, 42},  // 2: assembled: chain of "left_shoulder"
+    {1, 0, 27},  // 0: assembled: chain of "left_knee"
+    {3, 2, 27},  // 1: assembled: chain of "left_elbow"
+    {2, 0, 27},  // 2: assembled: chain of "left_shoulder"
     {0, 2, 6},  // 3: forces on: chain of "left_shoulder"
     {0, 1, 6},  // 4: forces on: chain of "left_knee"
     {2, 3, 6},  // 5: forces on: chain of "left_elbow"
@@ -260,7 +260,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 1: assembled: chain of "left_knee"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_left_knee.Phi_left_thigh);
+    from = get_symmetric(from, w.j_left_knee.Phi_left_thigh);
     get(from, w.j_left_knee.b_left_thigh);
   }
   stamp(3);
@@ -281,7 +281,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(4);
   {  // from process 2: assembled: chain of "left_shoulder"
     const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_left_shoulder.Phi_trunk);
+    from = get_symmetric(from, w.j_left_shoulder.Phi_trunk);
     get(from, w.j_left_shoulder.b_trunk);
   }
   stamp(5);
@@ -357,7 +357,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 0: assembled: chain of "left_knee"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_left_knee.Phi_left_thigh);
+    to = put_symmetric(to, w.j_left_knee.Phi_left_thigh);
     put(to, w.j_left_knee.b_left_thigh);
     channel.send(0, w.status);
   }
@@ -407,7 +407,7 @@ static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 3: assembled: chain of "left_elbow"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_left_elbow.Phi_left_upper_arm);
+    from = get_symmetric(from, w.j_left_elbow.Phi_left_upper_arm);
     get(from, w.j_left_elbow.b_left_upper_arm);
   }
   stamp(3);
@@ -428,7 +428,7 @@ static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(4);
   {  // to process 0: assembled: chain of "left_shoulder"
     Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_left_shoulder.Phi_trunk);
+    to = put_symmetric(to, w.j_left_shoulder.Phi_trunk);
     put(to, w.j_left_shoulder.b_trunk);
     channel.send(2, w.status);
   }
@@ -486,7 +486,7 @@ static void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 2: assembled: chain of "left_elbow"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_left_elbow.Phi_left_upper_arm);
+    to = put_symmetric(to, w.j_left_elbow.Phi_left_upper_arm);
     put(to, w.j_left_elbow.b_left_upper_arm);
     channel.send(1, w.status);
   }

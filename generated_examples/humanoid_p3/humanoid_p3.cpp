@@ -189,8 +189,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 8> kMessages{ {
-    {2, 1, 42},  // 0: assembled: chain of "left_shoulder_roll"
-    {1, 0, 42},  // 1: assembled: chain of "waist_roll"
+    {2, 1, 27},  // 0: assembled: chain of "left_shoulder_roll"
+    {1, 0, 27},  // 1: assembled: chain of "waist_roll"
     {0, 1, 6},  // 2: forces on: chain of "waist_roll"
     {1, 2, 6},  // 3: forces on: chain of "left_shoulder_roll"
     {0, 1, 48},  // 4: state
@@ -1783,7 +1783,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 1: assembled: chain of "waist_roll"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_waist_roll.Phi_waist_link);
+    from = get_symmetric(from, w.j_waist_roll.Phi_waist_link);
     get(from, w.j_waist_roll.b_waist_link);
   }
   stamp(3);
@@ -1850,7 +1850,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 2: assembled: chain of "left_shoulder_roll"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_left_shoulder_roll.Phi_left_shoulder);
+    from = get_symmetric(from, w.j_left_shoulder_roll.Phi_left_shoulder);
     get(from, w.j_left_shoulder_roll.b_left_shoulder);
   }
   stamp(3);
@@ -1862,7 +1862,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(4);
   {  // to process 0: assembled: chain of "waist_roll"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_waist_roll.Phi_waist_link);
+    to = put_symmetric(to, w.j_waist_roll.Phi_waist_link);
     put(to, w.j_waist_roll.b_waist_link);
     channel.send(1, w.status);
   }
@@ -1921,7 +1921,7 @@ static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 1: assembled: chain of "left_shoulder_roll"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_left_shoulder_roll.Phi_left_shoulder);
+    to = put_symmetric(to, w.j_left_shoulder_roll.Phi_left_shoulder);
     put(to, w.j_left_shoulder_roll.b_left_shoulder);
     channel.send(0, w.status);
   }

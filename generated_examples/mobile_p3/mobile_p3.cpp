@@ -5,7 +5,7 @@
 // options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes mobile_p3.h
-// program   3 processes, joined at cuts; 0.834 us predicted (default profile)
+// program   3 processes, joined at cuts; 0.828 us predicted (default profile)
 //           process 0: drive .. shoulder
 //           process 1: wrist .. loose
 //           process 2: nothing
@@ -68,7 +68,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524}, {0.0, 0.08, 0.1}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 6> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "wrist"
+    {1, 0, 27},  // 0: assembled: chain of "wrist"
     {0, 1, 6},  // 1: forces on: chain of "wrist"
     {0, 1, 32},  // 2: state
     {1, 0, 7},  // 3: accelerations
@@ -409,7 +409,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // from process 1: assembled: chain of "wrist"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_wrist.Phi_boom);
+    from = get_symmetric(from, w.j_wrist.Phi_boom);
     get(from, w.j_wrist.b_boom);
   }
   stamp(3);
@@ -446,7 +446,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(2);
   {  // to process 0: assembled: chain of "wrist"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_wrist.Phi_boom);
+    to = put_symmetric(to, w.j_wrist.Phi_boom);
     put(to, w.j_wrist.b_boom);
     channel.send(0, w.status);
   }

@@ -6,7 +6,7 @@ from functools import partial
 
 from adagen.emit import forces
 from adagen.emit.joints.rows import function_of
-from adagen.emit.processes import describe_message, in_a_row
+from adagen.emit.processes import block_calls, describe_message, in_a_row
 from adagen.emit.stages import stamped
 from adagen.emit.symbols import Symbols
 from adagen.plan.steps import (
@@ -97,11 +97,16 @@ def _contents(symbols: Symbols, message: Message) -> list[str]:
     if message.sweep == "torques":
         return ["w.coupling"]
     return [
-        *(symbols.block(block) for block in message.blocks),
         *(symbols.bias(bias) for bias in message.biases),
         *(symbols.force(force) for force in message.forces),
         *(f"{symbols.memory(j)}.qdd[0]" for j in message.joints),
     ]
+
+
+def _calls(symbols: Symbols, message: Message, verb: str, place: str) -> list[str]:
+    """The calls that put what is in a message there, or get it."""
+    others = [f"{verb}({place}, {item})" for item in _contents(symbols, message)]
+    return [*block_calls(symbols, message, verb, place), *others]
 
 
 def _send(symbols: Symbols, number: int) -> list[str]:
@@ -109,7 +114,7 @@ def _send(symbols: Symbols, number: int) -> list[str]:
     return [
         f"{{  // to process {message.target}: {describe_message(symbols, message)}",
         f"  Number* to = channel.outgoing({number}, w.status);",
-        *in_a_row("to", [f"put(to, {item})" for item in _contents(symbols, message)]),
+        *in_a_row("to", _calls(symbols, message, "put", "to")),
         f"  channel.send({number}, w.status);",
         "}",
     ]
@@ -120,7 +125,7 @@ def _receive(symbols: Symbols, number: int) -> list[str]:
     return [
         f"{{  // from process {message.source}: {describe_message(symbols, message)}",
         f"  const Number* from = channel.receive({number}, w.status);",
-        *in_a_row("from", [f"get(from, {item})" for item in _contents(symbols, message)]),
+        *in_a_row("from", _calls(symbols, message, "get", "from")),
         "}",
     ]
 

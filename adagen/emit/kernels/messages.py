@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from adagen.emit.entries import entries_of, ranges
-from adagen.emit.processes import describe_message, in_a_row
+from adagen.emit.processes import block_calls, describe_message, in_a_row
 from adagen.emit.symbols import Symbols
 from adagen.plan.steps import Receive, Send
 from adagen.plan.types import Message, Process
@@ -29,6 +29,7 @@ def sent(symbols: Symbols, operation: Operation) -> list[str]:
             "to",
             [
                 *(f"put_placement<{j}>(to, w)" for j in message.placements),
+                *block_calls(symbols, message, "put", "to"),
                 *(f"put(to, {item})" for item in _items(symbols, message)),
                 *(f"put(to, w.bodies[{link}])" for link in message.inertias),
             ],
@@ -50,6 +51,7 @@ def received(symbols: Symbols, operation: Operation) -> list[str]:
             [
                 *(f"get_placement<{j}>(from, w)" for j in message.placements),
                 *(f"get_responses(from, w, {symbols.plan.joints[j].v})" for j in message.joints),
+                *block_calls(symbols, message, "get", "from"),
                 *(f"get(from, {item})" for item in _items(symbols, replace(message, joints=()))),
                 *(f"{'get' if one else 'add'}(from, w.bodies[{k}])" for k, one in taken),
             ],
@@ -92,7 +94,6 @@ def _items(symbols: Symbols, message: Message) -> list[str]:
     return [
         *(_responses(symbols, joint) for joint in message.joints),
         *(symbols.passage(passage) for passage in message.passages),
-        *(symbols.block(block) for block in message.blocks),
         *(symbols.bias(bias) for bias in message.biases),
         *(symbols.force(force) for force in message.forces),
     ]
