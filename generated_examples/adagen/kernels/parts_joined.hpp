@@ -212,12 +212,15 @@ ADAGEN_INLINE void lessen(Body<Lanes>& Phi, const Lanes (&Z)[6][6], const Lanes 
   copy(X, Phi);
 }
 
+// What is asked of joined chains: what each end shows, and how the ends feel each other, too.
+enum class Asked { kNothing, kEnds, kAll };
+
 // Joins chains with those that lie beyond them, by Eq. (3)-(7); the ends that meet are seen from
 // where they lie. Rows that weigh: 6 where a joint has a rotor. One function for all levels, with
 // loops: three times as much code, each run once, takes longer to fetch than to compute.
 template <int rows>
 ADAGEN_NOINLINE Lanes join_chains(Chains& chains, const Body<Lanes>& meeting, const Hinges& hinges,
-                                  const Places& at, JoinedLevel& i) {
+                                  const Places& at, Asked asked, JoinedLevel& i) {
   i.hinges = {{moved(hinges.across[0], at.beyond), moved(hinges.across[1], at.beyond)},
               moved(hinges.axis, at.beyond),
               moved(hinges.r, at.beyond),
@@ -240,8 +243,10 @@ ADAGEN_NOINLINE Lanes join_chains(Chains& chains, const Body<Lanes>& meeting, co
     ADAGEN_FOR (row, 0, rows) bias[k] += x[row] * n[row];
     ADAGEN_FOR (row, 0, 6) i.Z[k][row] = x[row];
   }
+  if (asked == Asked::kNothing) return good;
   lessen<rows>(chains.ends, i.Z, i.over);
   chains.ends.f += angular_of(bias) * -at.sign, chains.ends.n += linear_of(bias) * -at.sign;
+  if (asked == Asked::kEnds) return good;
   Lanes other[6][rows];
   for (int k = 0; k < 6; ++k)
     ADAGEN_FOR (row, 0, rows) other[k][row] = moved(i.Z[k][row], at.opposite);
@@ -305,6 +310,11 @@ struct WholeChain {
   Columns6* near_bias;
   Mat6 *far, *across;  // from the first link (rows) to the last one (columns)
   Columns6* far_bias;
+
+  Asked asked() const {
+    if (across != nullptr) return Asked::kAll;
+    return near != nullptr || far != nullptr ? Asked::kEnds : Asked::kNothing;
+  }
 };
 template <int lane>
 ADAGEN_INLINE void put_mobility(const Body<Lanes>& of, Mat6& Phi, Columns6& b) {
@@ -329,14 +339,15 @@ ADAGEN_INLINE void put_mobility(const Body<Lanes>& of, Mat6& Phi, Columns6& b) {
 
 template <class Run, int count = 1>
 ADAGEN_INLINE void join_levels(Workspace& w, Chains& chains, const Body<Lanes>& meeting,
-                               const Hinges& hinges, JoinedParts& joined) {
+                               const Hinges& hinges, Asked asked, JoinedParts& joined) {
   if constexpr (count < kPerBlock) {
     constexpr const Places& at = kPlaces<count>;
     JoinedLevel& own = joined.levels[static_cast<std::size_t>(levels_of(count))];
-    const Lanes good = join_chains<kJoinRows<Run>>(chains, meeting, hinges, at, own);
+    const Asked now = 2 * count < kPerBlock ? Asked::kAll : asked;
+    const Lanes good = join_chains<kJoinRows<Run>>(chains, meeting, hinges, at, now, own);
     if (__builtin_expect(!all_positive(good), 0))
       fail_one(w, Run::row(0, 0), chosen(at.is_beyond & at.meets, good, Lanes{} + 1));
-    join_levels<Run, 2 * count>(w, chains, chains.ends, hinges, joined);
+    join_levels<Run, 2 * count>(w, chains, chains.ends, hinges, asked, joined);
   }
 }
 template <int first, int last>
@@ -357,7 +368,7 @@ ADAGEN_NOINLINE JoinedParts join_parts(Workspace& w, const Ends& parts, const Wh
   choose(odd, parts.near, parts.far, meeting);
   ADAGEN_FOR (k, 0, 6)
     ADAGEN_FOR (i, 0, 6) chains.across[k][i] = chosen(odd, parts.across[i][k], parts.across[k][i]);
-  join_levels<Run>(w, chains, meeting, hinges, joined);
+  join_levels<Run>(w, chains, meeting, hinges, whole.asked(), joined);
   if (whole.near != nullptr) put_mobility<0>(chains.ends, *whole.near, *whole.near_bias);
   if (whole.far != nullptr) put_mobility<kPerBlock - 1>(chains.ends, *whole.far, *whole.far_bias);
   if (whole.across != nullptr)
