@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -82,11 +83,12 @@ def test_processes_of_several_part_their_own() -> None:
 
 
 def test_more_processes_are_not_predicted_slower() -> None:
-    """Where as many as there are take longer than two, two of them work."""
+    """Where as many as there are would take longer, fewer of them work."""
     model = serial_chain(200)
-    few, many = (best_schedule(model, count, XEON, in_parts=True) for count in (2, 8))
-    assert few.parts == many.parts == 8
-    assert many.makespan <= few.makespan + 1e-9
+    alone, two, *more = (best_schedule(model, count, XEON, in_parts=True) for count in (1, 2, 4, 8))
+    assert alone.parts == two.parts == 8
+    for few, many in pairwise([alone, two, *more]):
+        assert many.makespan <= few.makespan + 1e-9
 
 
 @pytest.mark.parametrize(
