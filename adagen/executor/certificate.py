@@ -25,6 +25,7 @@ from adagen.executor.state import State
 from adagen.graph import Expression, Factors, factorize, matrix_times, total
 from adagen.plan.certificate import ROUNDING, has_inner_root
 from adagen.plan.digits import EPSILON
+from adagen.plan.limb_spread import spread_beyond
 from adagen.plan.steps import Certify, StartLink, Step
 
 Array = NDArray[Any]
@@ -120,7 +121,9 @@ class Certificate(Allowance):
         parted = [x for each in shares for x in each.parted]
         if self.inner_root is not None and self.inner_root.held:
             seen = self._both(seen, self.held.total())
-            limbs = spread_of(self, self.inner_root.beyond, self.inner_root.held)
+            held, steps = self.inner_root.held, self.inner_root.steps
+            beyond = spread_beyond(self.state.plan, steps, held)
+            limbs = spread_of(self, beyond, held, shares)
             parted += parting(self, self.inner_root.apart(), limbs)
         error = seen_with(seen, parted) if parted else seen
         if apart:

@@ -21,7 +21,7 @@ from adagen.executor.frames import Transform
 from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
 from adagen.graph import Expression, total
-from adagen.plan.certificate import beyond_held
+from adagen.plan.limb_spread import beyond_held
 from adagen.plan.steps import Articulate, LoadRoot, SolveMobility, SolveRoot, Step
 
 Array = NDArray[Any]
@@ -34,6 +34,7 @@ class InnerRoot:
     (3,).
 
     Attributes:
+        steps: of the process.
         bases: joints by which robots float.
         roots: links that all inertias are swept to.
         reversed: joints whose parent link is the far one.
@@ -45,7 +46,7 @@ class InnerRoot:
     def __init__(
         self, state: State, motion: Motion, steps: Sequence[Step], bases: Sequence[int]
     ) -> None:
-        self.state, self.motion, self.bases = state, motion, bases
+        self.state, self.motion, self.steps, self.bases = state, motion, steps, bases
         self.memory: dict[Any, Any] = state.memory
         self.roots = [step.link for step in steps if isinstance(step, SolveRoot)]
         swept = [step for step in steps if isinstance(step, Articulate)]

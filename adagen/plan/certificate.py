@@ -7,10 +7,9 @@ core links and finishes the certificate (adagen/executor/shared_bound.py).
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from adagen.errors import UsageError
-from adagen.model.kinds import KINDS
 from adagen.plan.closure_steps import nothing_moves
 from adagen.plan.steps import (
     Accelerate,
@@ -227,65 +226,6 @@ def _let_go_on(
         steps[p] = (*work, Receive(len(messages)), send)
         messages.append(Message(0, p, "disassembly", 0))
     return begins
-
-
-@dataclass(frozen=True)
-class Spread:
-    """Energy bounds of a link's limbs for a different acceleration of the link, joints as they are.
-
-    Of a difference of its angular acceleration x and of its linear one y, at most
-    turning |x|^2 + sliding |y|^2, kg m^2 and kg; squares of distances along joints come to turning.
-
-    Attributes:
-        turning: where no joint is slid.
-        along: entries of q that are distances, and what their squares are multiplied by.
-        sliding: twice the limbs' mass.
-    """
-
-    turning: float
-    along: tuple[tuple[int, float], ...]
-    sliding: float
-
-
-def spread(plan: Plan, joints: Iterable[int], link: int) -> Spread:
-    """Return the energy bounds for some joints that are limbs of a link.
-
-    A link at p with its centre of mass at p + c takes m |y + x cross (p + c)|^2 and its rotation,
-    and the n vectors that p + c is a sum of are no longer together than n times their squares.
-    """
-    depth, order = {link: 0}, []
-    for j in sorted(joints):  # parents come before their children
-        if plan.joints[j].parent in depth:
-            depth[j + 1] = depth[plan.joints[j].parent] + 1
-            order.append(j)
-    count = max(depth.values()) + 1
-    mass = {j + 1: plan.links[j + 1].mass for j in order}
-    turning, along = 0.0, []
-    for j in reversed(order):
-        own, joint = plan.links[j + 1], plan.joints[j]
-        if joint.parent in mass:
-            mass[joint.parent] += mass[j + 1]
-        turning += sum(own.tensor[k][k] for k in range(3))
-        turning += 2 * count * own.mass * sum(x * x for x in own.com)
-        slides = sum(place >= 3 for place in KINDS[joint.kind].free)
-        fixed = 2 * count * mass[j + 1] * (2 if slides else 1)
-        turning += fixed * sum(x * x for x in joint.translation)
-        along += [(joint.q + k, fixed) for k in range(slides)]
-    return Spread(turning, tuple(along), 2 * sum(plan.links[j + 1].mass for j in order))
-
-
-def beyond_held(plan: Plan, steps: Iterable[Step]) -> list[int]:
-    """Return the joints beyond a process's path from the ground to a link, ascending.
-
-    That is a link that is held, or the root, whose mobility it tells others of.
-    """
-    near: set[int] = set()
-    for step in steps:
-        if isinstance(step, HoldMobility | Send):
-            break
-        if isinstance(step, Articulate):
-            near.add(step.joint)
-    return [j for j in range(len(plan.joints)) if j not in near]
 
 
 def own_links(process: Process) -> Iterator[int]:

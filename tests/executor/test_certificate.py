@@ -23,8 +23,9 @@ from adagen.graph import BALLS, DOUBLE, FLOAT, Algebra, Expression
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Frame, Model, Wrench
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_from_json, plan_to_json
-from adagen.plan.certificate import beyond_held, certified, spread
-from adagen.plan.steps import Articulate, Certify, HoldMobility
+from adagen.plan.certificate import certified
+from adagen.plan.limb_spread import spread
+from adagen.plan.steps import Articulate, Certify
 from adagen.program import check, lower
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
@@ -243,16 +244,23 @@ def test_how_a_held_link_moves_otherwise_is_part_of_the_bound(
     model = serial_chain(14)
     plan, (state,) = plan_elsewhere(model), zip(*_one(model), strict=True)
     right = _squares(plan, state)[1]
-    honest = InnerRoot.apart
+    honest, parting = InnerRoot.apart, shared_bound.parting
+    limbs: list[Expression] = []
+
+    def kept(found: Allowance, apart: Array, own: list[Expression]) -> list[Expression]:
+        limbs.extend(own)
+        return parting(found, apart, own)
+
+    monkeypatch.setattr(certificate, "parting", kept)
     monkeypatch.setattr(
         InnerRoot, "apart", lambda at: honest(at) + at.state.constants(np.full(6, 1e-6))
     )
     lines_of.cache_clear()
     _, bound, _ = _squares(plan, state)
+    run = Run(plan, dict(zip(("q", "v", "tau"), state, strict=True)))
+    turning, sliding = run.of(0, limbs)
     lines_of.cache_clear()
-    (held,) = {s.link for s in plan.processes[0].steps if isinstance(s, HoldMobility)}
-    limbs = spread(plan, beyond_held(plan, plan.processes[0].steps), held)
-    assert bound - right == pytest.approx(27e-12 * (limbs.turning + limbs.sliding), rel=1e-6)
+    assert bound - right == pytest.approx(27e-12 * (turning + sliding), rel=1e-6)
 
 
 def test_limbs_that_move_otherwise_are_part_of_the_bound(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from adagen.emit import guards
 from adagen.emit.forces import push_calls
 from adagen.emit.kernels import messages, mobility, shared_bound
+from adagen.emit.kernels.limb_spread import LimbSpread
 from adagen.emit.kernels.residual_sweep import ResidualSweep, blocks_of, links_looked_at, word
 from adagen.emit.stages import stamped
 from adagen.emit.symbols import Symbols
@@ -262,7 +263,8 @@ class KernelLines:
 
     def _send(self, operation: Operation) -> list[str]:
         if shared_bound.tells(self.symbols, operation):
-            return shared_bound.told(self.symbols, self.process, operation)
+            limb_spread = LimbSpread(self.symbols, self.slots, self.operations)
+            return shared_bound.told(self.symbols, limb_spread, self.process, operation)
         return messages.sent(self.symbols, operation)
 
     def _receive(self, operation: Operation) -> list[str]:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from adagen.emit.kernels import shared_bound
+from adagen.emit.kernels.limb_spread import LimbSpread
 from adagen.emit.symbols import Symbols
+from adagen.plan.limb_spread import spread_beyond
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Articulate,
@@ -73,6 +75,8 @@ class ResidualSweep:
         }
         share = step if isinstance(step, Certify) else Certify()
         lines = ["begin_weighing(w);", *["begin_shared_weighing(w);"] * bool(share.hears)]
+        self.hears = share.hears
+        self.limb_spread = LimbSpread(self.symbols, self.slots, operations)
         self._look_at(operations)
         for op in operations:
             if op.does in weigh and _is_own(share, op):
@@ -105,8 +109,12 @@ class ResidualSweep:
     def _held(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
         assert isinstance(step, HoldMobility)
-        beyond = shared_bound.beyond(self.symbols, self.steps, step.link)
-        return ["begin_rest(w);", f"weigh_held<{step.link}>(w, {beyond});"]
+        return ["begin_rest(w);", *self._beyond(step.link, f"weigh_held<{step.link}>(w, {{}});")]
+
+    def _beyond(self, link: int, call: str) -> list[str]:
+        """A call with the energy bounds of everything beyond a link."""
+        limbs = spread_beyond(self.symbols.plan, self.steps, link)
+        return self.limb_spread.lines(limbs, link, call.format, self.hears)
 
     def _cleared(self, operation: Operation) -> list[str]:
         """Residuals at a link of known mobility come after those of its ground's side."""
@@ -120,8 +128,7 @@ class ResidualSweep:
         if step.link not in self.held:
             return []
         phi = self.symbols.block(step.block)
-        beyond = shared_bound.beyond(self.symbols, self.steps, step.link)
-        return [f"weigh_shown<{self.p}, {step.link}>(w, {phi}, {beyond});"]
+        return self._beyond(step.link, f"weigh_shown<{self.p}, {step.link}>(w, {phi}, {{}});")
 
     def _free_base(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)

@@ -5,13 +5,12 @@ See templates/include/adagen/kernels/shared_bound.hpp.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
+from adagen.emit.kernels.limb_spread import LimbSpread
 from adagen.emit.kernels.messages import exchanged
 from adagen.emit.processes import describe_message
 from adagen.emit.symbols import Symbols
-from adagen.plan.certificate import beyond_held, spread
-from adagen.plan.steps import Certify, Step
+from adagen.plan.limb_spread import spread
+from adagen.plan.steps import Certify
 from adagen.plan.types import CERTIFICATE, Process
 from adagen.program import Operation
 
@@ -21,7 +20,9 @@ def tells(symbols: Symbols, operation: Operation) -> bool:
     return exchanged(symbols, operation)[1].sweep == CERTIFICATE
 
 
-def told(symbols: Symbols, process: Process, operation: Operation) -> list[str]:
+def told(
+    symbols: Symbols, limb_spread: LimbSpread, process: Process, operation: Operation
+) -> list[str]:
     """Return the lines that send a process's part to process 0."""
     number, message = exchanged(symbols, operation)
     (joints,) = (step.joints for step in process.steps_of(Certify))
@@ -31,22 +32,9 @@ def told(symbols: Symbols, process: Process, operation: Operation) -> list[str]:
         "  to = tell_sums(to, w);",
     ]
     for link in message.weighed:
-        numbers = _spread(symbols, joints, link)
-        lines.append(f"  to = tell_link(to, w, {link}, {numbers});")
+        limbs, call = spread(symbols.plan, joints, link), f"to = tell_link(to, w, {link}, {{}});"
+        lines += [f"  {line}" for line in limb_spread.lines(limbs, link, call.format)]
     return [*lines, f"  channel.send({number}, w.status);", "}"]
-
-
-def beyond(symbols: Symbols, steps: Iterable[Step], link: int) -> str:
-    """Return the energy bounds of everything beyond a held link for rotation and translation."""
-    return _spread(symbols, beyond_held(symbols.plan, steps), link)
-
-
-def _spread(symbols: Symbols, joints: Iterable[int], link: int) -> str:
-    """Energy bounds of limbs at a link for rotation and translation."""
-    number, limbs = symbols.printer.number, spread(symbols.plan, joints, link)
-    terms = [number(limbs.turning)]
-    terms += [f"{number(scale)} * w.q[{k}] * w.q[{k}]" for k, scale in limbs.along]
-    return f"{' + '.join(terms)}, {number(limbs.sliding)}"
 
 
 def heard(symbols: Symbols, operation: Operation) -> list[str]:

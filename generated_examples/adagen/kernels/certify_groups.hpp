@@ -48,4 +48,18 @@ auto weigh_group(Workspace& w) {
   return X;
 }
 
+// The links beyond joints first .. last of one of the limbs; see spread_along.
+template <const auto& limbs, int side, int first, int last>
+[[maybe_unused]] Vector<Value> spread_in_lane(Workspace& w, Vector<Value> p, Value& turning) {
+  Value sum{};
+  for (int k = first; k <= last; ++k) {
+    const auto joints = limbs.at(k);
+    const auto& r = w.memory(joints).r;
+    p += Vector<Value>{r.x[side], r.y[side], r.z[side]};
+    sum += mass_of(w, single(joints.joint[side])) * dot(p, p);
+  }
+  turning += 4 * sum;
+  return p;
+}
+
 }  // namespace

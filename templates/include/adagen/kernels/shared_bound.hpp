@@ -8,6 +8,7 @@
 #include "../value.hpp"
 #include "algebra.hpp"
 #include "certify.hpp"
+#include "links.hpp"
 #include "memory.hpp"
 #include "weights.hpp"
 
@@ -39,6 +40,29 @@ ADAGEN_INLINE Number* tell_link(Number* to, const Workspace& w, int link, Value 
   to[0] = Number(left.moments), to[1] = Number(left.forces);
   to[2] = Number(turning), to[3] = Number(sliding);
   return to + 4;
+}
+
+// Of long limbs, turning has the squares of the distances of links from the one that they hang on:
+// what takes at most K |x|^2 + M |y|^2 of its own acceleration takes at most (K + 2 M d^2) |x|^2 +
+// 2 M |y|^2 at a distance d. Adds the links beyond joints first .. last, the first of which is on a
+// link at p from there; returns where the last one is.
+template <int first, int last>
+Vector<Value> spread_along(Workspace& w, Vector<Value> p, Value& turning) {
+  Value sum{};
+  for (int j = first; j <= last; ++j) {
+    p += w.memory(single(j)).r;
+    sum += mass_of(w, single(j)) * dot(p, p);
+  }
+  turning += 4 * sum;
+  return p;
+}
+// What limbs of another process take that hang on the link itself, and on one at p from there.
+ADAGEN_INLINE void spread_told(const Number* from, Value& turning, Value& sliding) {
+  turning += from[14], sliding += from[15];
+}
+ADAGEN_INLINE void spread_told(const Number* from, const Vector<Value>& p, Value& turning,
+                               Value& sliding) {
+  turning += from[14] + 2 * from[15] * dot(p, p), sliding += 2 * from[15];
 }
 
 ADAGEN_INLINE void hear_sums(Workspace& w, const Number* from) {
