@@ -216,7 +216,7 @@ class ExchangePlanner(SegmentPlanner):
             last = p
         if last < 1:
             return None
-        cuts[0] = hung_on(joints)
+        cuts[0] = joints_before_passages(joints)
         ends = [*cuts[1:], len(joints)]
         parts = [range(first, beyond) for first, beyond in zip(cuts, ends, strict=True)]
         return parts if parts[0] else None
@@ -335,7 +335,7 @@ class Passages:
             self._arrive(group, near)
 
 
-def hung_on(joints: Sequence[PlanJoint]) -> int:
+def joints_before_passages(joints: Sequence[PlanJoint]) -> int:
     """Return how many joints of a serial chain are before all whose passages are exchanged.
 
     A floating base, for one: every process finds its motion by itself, and passages begin there.

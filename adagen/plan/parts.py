@@ -69,10 +69,8 @@ def parts_of(joints: Sequence[PlanJoint], members: Container[int], lanes: int) -
     first = own[0] - (joints[own[0]].parent > 0)
     if not all(joints[j].parent == j for j in range(first, own[-1] + 1)):
         return []
-    hinges = first
-    for j in range(first, own[-1] + 1):
-        if not _is_hinge(joints[j]):
-            hinges = j + 1
+    others = [j for j in range(first, own[-1] + 1) if not _is_hinge(joints[j])]
+    hinges = others[-1] + 1 if others else first
     if first < hinges <= own[0]:  # by no hinge
         return []
     run = range(hinges, own[-1] + 1)
