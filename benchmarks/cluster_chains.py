@@ -1,8 +1,8 @@
 """Long chains on the many processes of a cluster: predicted times.
 
 The search for schedules weighs ways to meet against each other on one machine. Here chains are cut
-for exchanges pair by pair alone, the way that long chains take, with every message at the price of
-the levels that it passes.
+for exchanges pair by pair alone, the way that long chains take, in SIMD parts or not, with every
+message at the price of the levels that it passes.
 """
 
 from __future__ import annotations
@@ -10,15 +10,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from adagen.cost import Timeline, timeline
-from adagen.emit.predicted import predict, priced_program
+from adagen.emit.predicted import priced_program
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.cuts import cuttable_joints
 from adagen.program import Program
+from adagen.program.strips import LANES
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fat_tree import Links
+from adagen.search import best_schedule
 from adagen.search.chain_exchange import ChainExchange
-from adagen.search.schedules import find_schedule
 from benchmarks.critical_path import Limits, limits
 
 
@@ -47,13 +48,12 @@ class Chain:
 
     def __init__(self, model: Model, profile: CostProfile) -> None:
         self.model, self.profile = model, profile
-        topology = Topology.of(model)
-        self._chains = ChainExchange(topology, profile, cuttable_joints(model), "work")
+        asked = Topology.of(model), profile, cuttable_joints(model), "work"
+        self._chains = [ChainExchange(*asked, parts) for parts in (0, LANES["double"])]
 
     def alone(self) -> float:
         """Return what one process takes, microseconds."""
-        schedule = find_schedule(Topology.of(self.model), 1, profile=self.profile)
-        return predict(make_plan(self.model, schedule), self.profile).makespan
+        return best_schedule(self.model, 1, self.profile, in_parts=True).makespan
 
     def on(self, processes: int, links: Links) -> Beyond | None:
         """Return how it goes on some processes; None where they are too many for its joints.
@@ -71,7 +71,9 @@ class Chain:
             found.append((line.makespan, program, line))
             return plan, line
 
-        if self._chains.best(processes, processes, play) is None:
+        for chains in self._chains:
+            chains.best(processes, processes, play)
+        if not found:
             return None
         time, program, line = min(found, key=lambda each: each[0])
         return Beyond(processes, time, limits(program, line))

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from adagen.cost import timeline
 from adagen.emit.predicted import predict, priced_program
 from adagen.plan import make_plan
-from adagen.schedule import Topology, load_profile
+from adagen.schedule import load_profile
 from adagen.schedule.fat_tree import parse_fabric
-from adagen.search import best_schedule, find_schedule
+from adagen.search import best_schedule
 from benchmarks.cluster_chains import Chain
 from benchmarks.critical_path import JOINTS, KINDS, LATENCY, limits
 from tests.models import human_figure, serial_chain
@@ -54,9 +56,11 @@ def test_a_chain_within_a_node_is_played_as_on_one_machine() -> None:
     chain, fabric = Chain(model, PROFILE), parse_fabric(LEVELS.format(latency=50), "x")
     four = chain.on(4, fabric.links)
     assert four is not None
-    assert four.time == pytest.approx(best_schedule(model, 4, PROFILE).makespan, rel=0.02)
+    found = best_schedule(model, 4, PROFILE, in_parts=True)
+    assert four.time == pytest.approx(found.makespan, rel=0.02)
     assert sum(four.limits.times.values()) == pytest.approx(four.time)
-    one = find_schedule(Topology.of(model), 1, profile=PROFILE)
+    one = replace(best_schedule(model, 1, PROFILE, in_parts=True), shape="kernels")
+    assert one.parts == 8
     assert chain.alone() == predict(make_plan(model, one), PROFILE).makespan > four.time
 
 

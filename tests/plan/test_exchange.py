@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -201,3 +202,15 @@ def test_joints_past_links_without_mass_do_not_exchange() -> None:
     model = with_inertia(serial_chain(8), 3, Inertia.zero())
     with pytest.raises(UsageError, match="past links without mass"):
         make_plan(model, balanced(model, 2, "segment"), meeting="exchange")
+
+
+@pytest.mark.parametrize(("processes", "most"), [(16, 8), (24, 9), (64, 11)])
+def test_passages_are_told_on_where_many_wait_for_one(processes: int, most: int) -> None:
+    """By itself, one of 64 processes would send 32 messages, one after the other."""
+    model = serial_chain(3 * processes)
+    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
+    plan = make_plan(model, schedule, meeting="exchange")
+    check(lower(plan, "kernels"))
+    assert error(model, plan) < 1e-9
+    told = Counter(message.source for message in plan.messages if message.passages)
+    assert max(told.values()) <= most
