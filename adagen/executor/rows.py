@@ -185,12 +185,16 @@ class Rows:
         self.add(name, self.near_links(j), len(self.own(j)), value)
 
     def add(self, name: str, links: Sequence[int], count: int, value: Array) -> None:
-        """Add to the stored values of links, one for each lane, the first ``count`` lanes only."""
-        if self.as_kept(links):
+        """Add to the stored values of links, one for each lane, the first ``count`` lanes only.
+
+        Lanes are added one by one where several hang on one link: its row may repeat it in an idle
+        lane, which must not take the contribution of another.
+        """
+        near = links[:count]
+        if self.as_kept(links) and len(set(near)) == count:
             memory = self.process.memory
             memory[name, links[0]] = memory[name, links[0]] + value
             return
-        near = links[:count]
         for link in sorted(set(near) - {0}):
             lanes = [k for k, each in enumerate(near) if each == link]
             self._add(name, link, self._summed(value, lanes, len(near)))
