@@ -185,7 +185,7 @@ class _Copy:
                 machine.results[j] = np.array(numbers, dtype=object)
 
     def _result(self, x: Expression, lanes: list[int]) -> Expression:
-        """An acceleration of a row; an idle lane, which limbs may hang on, is no joint of its own."""
+        """An acceleration of a row; an idle lane, on which limbs may hang, has none of its own."""
         if self.lanes.get(x.index, lanes) == lanes:
             return self._value(x.index, lanes)
         return self.graph.pack([self.number((x.index, k)) for k in in_lanes(lanes)])
