@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from adagen.cost import Timeline, timeline
 from adagen.emit.predicted import priced_program
 from adagen.model import Model
-from adagen.plan import Plan, make_plan
+from adagen.plan import make_plan
 from adagen.plan.cuts import cuttable_joints
 from adagen.program import Program
 from adagen.program.strips import LANES
@@ -64,12 +64,11 @@ class Chain:
         """
         found: list[tuple[float, Program, Timeline]] = []
 
-        def play(schedule: Schedule) -> tuple[Plan, Timeline]:
-            plan = make_plan(self.model, schedule)
-            program = priced_program(plan, "kernels", self.profile)
+        def play(schedule: Schedule) -> tuple[Program, Timeline]:
+            program = priced_program(make_plan(self.model, schedule), "kernels", self.profile)
             line = timeline(program, self.profile, links)
             found.append((line.makespan, program, line))
-            return plan, line
+            return program, line
 
         for chains in self._chains:
             chains.best(processes, processes, play)

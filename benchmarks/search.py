@@ -169,8 +169,8 @@ def turning(joints: int) -> Model:
 
 def family(schedule: Schedule) -> str:
     """Return the family of a schedule that was chosen from several."""
-    if schedule.meeting == "gather":
-        return "gathered"
+    if schedule.meeting in ("gather", "exchange"):
+        return {"gather": "gathered", "exchange": "exchanged"}[schedule.meeting]
     return "joined" if joined_between_processes(schedule.root) else "alone"
 
 
@@ -225,7 +225,7 @@ budget, the same on every machine. One row by hand: `adagen schedule ROBOT --pro
     "chains": """## Long chains
 
 Written by `python -m benchmarks.search chains` ({machine}). Chains of joints that turn about x, y
-and z in turn; the columns as above.
+and z in turn; the columns as above. *Exchanged*: the processes of both sides join each cut.
 
 {columns}
 """,

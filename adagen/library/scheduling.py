@@ -66,12 +66,10 @@ def searched(model: Model, request: Request) -> Schedule:
         return _named(model, request, profile.joins_only() if request.form == "ada" else profile)
     if request.certify and request.sharing > 1:
         whole = replace(request, parts="none")  # processes that have parts do not certify
-        plain = _best(model, whole, profile).gathered if request.may_gather else None
-        # Each process passes the joints that it hangs on: certificates look at their motions.
-        elsewhere = () if plain is None else (replace(plain, told=False),)
+        plain = _best(model, whole, profile) if request.may_gather else None
         asked = request.sharing, profile, request.scalar, request.shape
         in_parts = request.may_part(len(model.joints))
-        return certified_schedule(model, *asked, elsewhere, in_parts=in_parts)
+        return certified_schedule(model, *asked, plain, in_parts=in_parts)
     return _best(model, request, profile)
 
 

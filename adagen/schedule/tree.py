@@ -14,6 +14,9 @@ Split = Literal["always", "free", "any"]
 Verdict = Literal["optimal", "gap"]
 Meeting = Literal["join", "gather", "exchange"]
 
+FAR = 0.5
+"""Gap beyond which a bound says nothing about a schedule that is worth a number."""
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Node:
@@ -147,6 +150,9 @@ class Schedule:
         among = f" among {self.among}" if self.among else ""
         if self.verdict == "optimal":
             return f"optimal{among}"
+        if self.gap > FAR:
+            least = f"{self.lower_bound:.2g} us at least"
+            return f"no useful bound: proven is only that others{among} take {least}"
         return f"at most {self.gap:.1%} above the optimum{among}"
 
     @property

@@ -8,7 +8,7 @@ emitted, beside one process that does everything.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 
@@ -62,7 +62,7 @@ def certified_schedule(
     profile: CostProfile,
     scalar: str,
     shape: str,
-    elsewhere: Iterable[Gathered] = (),
+    plain: Schedule | None = None,
     *,
     in_parts: bool = False,
 ) -> Schedule:
@@ -74,7 +74,8 @@ def certified_schedule(
         profile: the costs; where it prices joins alone, one process does everything.
         scalar: "double" or "float".
         shape: of the code, "auto" for that of least price.
-        elsewhere: layouts of processes that gather at other links, to be tried, too.
+        plain: the best schedule of processes that bound no errors and sweep nothing in parts:
+            where they gather is tried, too, and bounds of errors take time besides.
         in_parts: whether a long chain of one process may be in parts, one in each SIMD lane.
 
     Raises:
@@ -88,13 +89,18 @@ def certified_schedule(
     layouts, weights = certified_layouts(model, plan.joints, alone, scalar)
     if in_parts:
         alone = in_parts_alone(model, alone, profile, scalar, shape)
+    if plain is not None and plain.gathered is not None:
+        # Each process passes the joints that it hangs on: certificates look at their motions.
+        elsewhere = replace(plain.gathered, told=False)
+        layouts = chain(layouts, [_led(plan.joints, elsewhere)])
     return cheapest_of(
         alone,
-        chain(layouts, (_led(plan.joints, gathered) for gathered in elsewhere)),
+        layouts,
         weights,
         profile,
         lambda schedule: certified(make_plan(model, schedule, scalar=scalar)),
         shape,
+        lower=0.0 if plain is None else plain.lower_bound,
     )
 
 

@@ -12,14 +12,17 @@ from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import accumulate
-from math import log2
 
 from adagen.cost import Timeline
+from adagen.plan import Plan
+from adagen.plan.parts import FEWEST_ROWS, MOST_JOINTS
+from adagen.plan.sent_passages import PASSED
 from adagen.plan.stages import stages
-from adagen.plan.types import Plan
+from adagen.plan.steps import Append, Arrive, Disassemble, InvertRoot, Join
+from adagen.program import Program
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.chains import WHOLE, Chain, Chains
-from adagen.schedule.costs import StepCosts
+from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.schedule.search_result import Found
 from adagen.schedule.tree import Tie
 from adagen.schedule.tree_draft import Draft
@@ -33,15 +36,27 @@ _MOST_AT_ONCE = 8
 """Groups of processes that put passages together at once, at most: each sends to all others."""
 _FINE = 1e-4  # microseconds to which parts are equally long
 
-Play = Callable[[Schedule], tuple[Plan, Timeline]]
-"""Plans a schedule and plays it."""
+_BESIDE = frozenset(step.does for step in (Append, Arrive, Disassemble, InvertRoot, Join))
+"""What processes do beside their own joints, for a bound."""
+
+Play = Callable[[Schedule], tuple[Program, Timeline]]
+"""Makes a schedule's program and plays it."""
 
 
-def numbers_of_processes(topology: Topology, processes: int) -> list[int]:
-    """Return the numbers of processes to try for exchanges: all, half of them, ..."""
+def numbers_of_processes(topology: Topology, processes: int, parts: int = 0) -> list[int]:
+    """Return the numbers of processes to try for exchanges: all, half of them, ...
+
+    Args:
+        topology: the robot.
+        processes: P.
+        parts: in how many parts each process sweeps its own joints at once; 0: not in parts.
+    """
     counts = halves(processes) if topology.is_chain and processes > 1 else []
+    joints = len(topology)
+    if parts:  # each has them, by which this family is defined
+        return [n for n in counts if FEWEST_ROWS * parts * n <= joints <= MOST_JOINTS * n]
     # The joint of a cut is in neither part.
-    return [count for count in counts if len(topology) >= (_FEWEST + 1) * count - 1]
+    return [n for n in counts if joints >= (_FEWEST + 1) * n - 1]
 
 
 class ChainExchange:
@@ -71,62 +86,73 @@ class ChainExchange:
         kinds = [topology.kind(j) for j in range(len(topology))]
         self.costs = profile.measured
         self.kinds = kinds
+        # Whether passages are told, which begin beyond the base: then each process has some.
+        passed = [topology.priced_as(j) in PASSED for j in range(len(topology))]
+        base = max((j + 1 for j, fits in enumerate(passed) if not fits), default=0)
+        self._told = base < (FEWEST_ROWS * parts or _FEWEST)
         self.inner, self.outermost = (
             [0.0, *accumulate(self._first_sweep(kind, last) for kind in kinds)]
             for last in (False, True)
         )
+        free = ("floating", PRESCRIBED)
+        known = (j for j in range(len(topology)) if topology.priced_as(j) not in free)
+        self._counted = kinds[base:] if self._told else [kinds[j] for j in known]
+        self._alike = self._told and len(set(self._counted)) == 1
+        self._own = {kind: self._both_sweeps(kind, False) for kind in set(self._counted)}
+        shares = (self._both_sweeps(kind, True) / own for kind, own in self._own.items())
+        self._share = min(shares, default=1.0)
+        self._beside: dict[int, float] = {}
 
     def least(self, processes: int, count: int) -> float:
         """Return a lower bound on the time of such schedules, microseconds.
 
-        The outermost of m parts takes a share of what its joints would take elsewhere, at least,
-        and the last process is done no sooner than all are on average.
+        The last process is done no sooner than all are on average. The outermost one counts for
+        more, as it takes a share of what its joints would take elsewhere. What all take beside
+        their own joints is known as soon as one schedule was played. Two that exchange wait for
+        two latencies together, whoever is ready first.
 
         Args:
             processes: P.
             count: those that work.
         """
-        costs, own = self.costs, dict[str, tuple[float, float]]()
-        for kind in set(self.kinds):
-            second = costs[f"accelerate.{kind}"]
-            forces = min(costs[f"deliver.{kind}"], costs["deliver.along"])
-            if self.parts:
-                second, forces = costs["parts.outwards"], 0.0
-            inner = self._first_sweep(kind, outermost=False) + forces
-            own[kind] = self._first_sweep(kind, outermost=True) + second, inner + second
-        spared = max(0.0, _sweep(costs, self.kinds[0]) - costs["articulate.ground"])
-        whole = sum(own[kind][1] for kind in self.kinds) - spared
-        share = min(outermost / inner for outermost, inner in own.values())
-        least = whole * share / (share * (count - 1) + 1) + self._besides(count)
-        fastest = max(costs.speeds(processes))
-        return (costs["process.evaluation"] + least) / fastest
+        costs, own = self.costs, self._own
+        whole = sum(own[kind] for kind in self._counted)
+        start = costs["link.start"]
+        unswept = max((own[k] - self._placed(k) - start for k in own), default=0.0)
+        whole -= unswept * (count * self.parts if self.parts else count - 1)
+        if not self.parts:
+            whole -= max(0.0, _sweep(costs, self.kinds[0]) - costs["articulate.ground"])
+        weights = self._share * (count - 1) + 1
+        work = (self._share * max(0.0, whole) + self._beside.get(count, 0.0)) / weights
+        waits = costs.window.latency * self._share * _latencies(count) / weights
+        once = costs["process.evaluation"] + self._runs()
+        return (once + work) / max(costs.speeds(processes)) + waits
 
-    def _besides(self, count: int) -> float:
-        """Least average time of some processes beside their own joints.
-
-        Each takes part in log2(m) joins, all but the last of which have a handle beside them. All
-        parts but one have a root, all but two are carried through. Where two wait for each other,
-        they wait for half a latency on average, however far apart they are. All but one are told
-        how their parts move.
-        """
-        costs, levels = self.costs, log2(count)
-        inside, within = (count - 1) / count, max(0, count - 2) / count
-        join = min(costs[f"join.{kind}"] + costs[f"disassemble.{kind}"] for kind in set(self.kinds))
-        beside = (costs["join.block"] + costs["disassemble.coupling"]) * (levels - 1) / 2
+    def _runs(self) -> float:
+        """What every process takes once for its joints."""
+        costs = self.costs
         run = min(costs["kinematics.run"], costs["kinematics_strips.run"])
-        alike = count & (count - 1) == 0  # halves are of equal size, on all levels
-        waits = levels / 2 + (1 / 4 if count > 2 else 0) if alike else levels / 3
-        return (
-            levels * (join + 27 * costs.window.number)
-            + beside
-            + costs.window.latency * waits
-            + inside * costs["root.invert"]
-            + within * 3 * costs["propagate_run.product"]
-            + inside * costs["kinematics.floating"]
-            + run
-            + min(run, costs["kinematics_traversed.run"])
-            + min(costs[f"{of}.run"] for of in ("articulate", "articulate_columns", "parts"))
-        )
+        found = run + (min(run, costs["kinematics_traversed.run"]) if self._told else 0.0)
+        if self.parts and self._alike:
+            return found + costs["parts.run"]
+        return found + min(costs["articulate.run"], costs["articulate_columns.run"])
+
+    def _note(self, count: int, program: Program, line: Timeline) -> None:
+        """Keep the least that processes take for joins and messages, weighed as by ``least``.
+
+        Where all joints are alike that depends on how passages are put together alone.
+        """
+        if not self._alike:
+            return
+        total, fastest = 0.0, max(self.costs.speeds(len(program.processes)))
+        for i in line.intervals:
+            time = (i.end - i.start) * (1.0 if i.process == count - 1 else self._share)
+            if i.what in ("send", "receive"):
+                total += time * fastest
+            elif i.operation is not None and i.what != "wait":
+                does = program.processes[i.process].operations[i.operation].does
+                total += time * self.costs.speed(i.process) * (does in _BESIDE)
+        self._beside[count] = min(total, self._beside.get(count, total))
 
     def best(self, processes: int, count: int, play: Play) -> Schedule | None:
         """Return the fastest schedule found on some of the processes; None if it is not cut.
@@ -151,8 +177,10 @@ class ChainExchange:
             tried: list[tuple[float, int, Schedule, list[float]]] = []
             for fan in fans:
                 schedule = replace(self._schedule(cuts, processes), fan=fan)
-                plan, line = play(schedule)
-                tried.append((line.makespan, len(found), schedule, _ready(plan, line)[:count]))
+                program, line = play(schedule)
+                self._note(count, program, line)
+                ready = _ready(program.plan, line)[:count]
+                tried.append((line.makespan, len(found), schedule, ready))
                 found.append(tried[-1][:3])
                 cuts_of.append(cuts)
             *_, schedule, ready = min(tried)
@@ -177,8 +205,25 @@ class ChainExchange:
 
     def _first_sweep(self, kind: str, outermost: bool) -> float:
         """Time of a joint until its process sends its own part; microseconds."""
-        sweep = self.costs["parts.inwards"] if self.parts else None
-        return first_sweep(self.costs, kind, outermost, sweep)
+        if self.parts:
+            own = self.costs["link.start"] + self.costs["parts.inwards"]
+        else:
+            own = first_sweep(self.costs, kind, outermost)
+        return self._placed(kind) + own
+
+    def _placed(self, kind: str) -> float:
+        """Time of the kinematics of a joint, microseconds."""
+        if self._told:
+            return passed_and_placed(self.costs, kind)
+        return min(self.costs[f"{group}.{kind}"] for group in ("kinematics", "kinematics_strips"))
+
+    def _both_sweeps(self, kind: str, outermost: bool) -> float:
+        """Time of a joint in both sweeps, microseconds."""
+        own, costs = self._first_sweep(kind, outermost), self.costs
+        if self.parts:
+            return own + costs["parts.outwards"]
+        forces = 0.0 if outermost else min(costs[f"deliver.{kind}"], costs["deliver.along"])
+        return own + costs[f"accelerate.{kind}"] + forces
 
     def _time(self, outermost: bool, first: int, beyond: int) -> float:
         sums = self.outermost if outermost else self.inner
@@ -258,23 +303,32 @@ def passing(costs: StepCosts, kind: str) -> float:
     return min(costs[f"kinematics.{kind}"], costs[f"passing_strips.{kind}"])
 
 
-def first_sweep(
-    costs: StepCosts, kind: str, outermost: bool, in_lane: float | None = None
-) -> float:
-    """Return the time of a joint in a part until its process sends its own part; microseconds.
+def passed_and_placed(costs: StepCosts, kind: str) -> float:
+    """Return the time of a joint whose process finds its passage first; microseconds."""
+    placing = min(costs[f"{group}.{kind}"] for group in ("kinematics", "kinematics_traversed"))
+    return passing(costs, kind) + placing
+
+
+def first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
+    """Return the time of a placed joint until its process sends its own part; microseconds.
 
     Args:
         costs: what joints take.
         kind: of the joint.
         outermost: whether nothing is asked for beyond the part.
-        in_lane: what it is swept and carried through for where its process has it in a SIMD lane.
     """
-    placing = min(costs[f"{group}.{kind}"] for group in ("kinematics", "kinematics_traversed"))
-    placed = passing(costs, kind) + placing + costs["link.start"]
-    if in_lane is not None:
-        return placed + in_lane
-    own = placed + _sweep(costs, kind)
+    own = costs["link.start"] + _sweep(costs, kind)
     return own if outermost else own + costs.carried(kind)
+
+
+def _latencies(count: int) -> int:
+    """How many latencies processes wait for that exchange, all together.
+
+    Each two that exchange one message wait for two of them. Where one side is larger, only the
+    first process of the smaller one sends two messages, and is left out.
+    """
+    near, far = count // 2, count - count // 2
+    return 2 * (near - (near < far)) + _latencies(near) + _latencies(far) if near else 0
 
 
 def _ready(plan: Plan, line: Timeline) -> list[float]:

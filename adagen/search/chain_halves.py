@@ -17,7 +17,7 @@ from adagen.cost import Timeline
 from adagen.plan.sent_passages import PASSED
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.tree import Gathered
-from adagen.search.chain_exchange import Play, first_sweep, passing
+from adagen.search.chain_exchange import Play, first_sweep, passed_and_placed, passing
 
 _PLAYS = 4
 
@@ -40,7 +40,7 @@ class ChainHalves:
         self.count = len(topology)
         self.kinds = [topology.kind(j) for j in range(self.count)]
         self.roots = [j + 1 for j in range(self.count - 1) if cuttable[j]]
-        own = (first_sweep(self.costs, kind, outermost=True) for kind in self.kinds)
+        own = [self._first_sweep(kind) for kind in self.kinds]
         self.sums = [0.0, *accumulate(own)]
         kinds = {topology.priced_as(j) for j in range(self.count)}
         self.told = topology.is_chain and kinds <= PASSED
@@ -65,7 +65,7 @@ class ChainHalves:
         """
         costs = self.costs
         whole = self.sums[-1] + sum(costs[f"accelerate.{kind}"] for kind in self.kinds)
-        spared = max(0.0, first_sweep(costs, self.kinds[0], True) - costs["articulate.ground"])
+        spared = max(0.0, self._first_sweep(self.kinds[0]) - costs["articulate.ground"])
         fastest = max(costs.speeds(processes))
         return (costs["process.evaluation"] + (whole - spared) / 2) / fastest
 
@@ -90,6 +90,9 @@ class ChainHalves:
             inner, outer = _ready(line)  # the inner one goes outwards for longer: it is not to wait
             late = outer + self.latency - inner - (self.sums[-1] - 2 * self.sums[root])
         return min(found)[2] if found else None
+
+    def _first_sweep(self, kind: str) -> float:
+        return passed_and_placed(self.costs, kind) + first_sweep(self.costs, kind, outermost=True)
 
     def _meeting(self, inner: float) -> int:
         """The root up to which joints take so long, as near as there is one."""

@@ -182,27 +182,27 @@ class Families:
         Args:
             cuttable: for each joint whether processes may meet there.
         """
-        counts = numbers_of_processes(self.topology, self.processes)
-        if not (can_gather(self.model) and self.loops and self.seen.trivial and counts):
+        if not (can_gather(self.model) and self.loops and self.seen.trivial):
             return
         assert self.best is not None  # one process comes first
         for parts in (0, self.parts) if self.parts else (0,):
+            counts = numbers_of_processes(self.topology, self.processes, parts)
             asked = self.topology, self.profile, cuttable, self.best.tie, parts
-            self._exchange_in(ChainExchange(*asked), counts, cuttable)
+            if counts:
+                self._exchange_in(ChainExchange(*asked), counts, cuttable)
 
     def _exchange_in(
         self, chains: ChainExchange, counts: Sequence[int], cuttable: Sequence[bool]
     ) -> None:
         """Look at such schedules, on some numbers of processes, the largest first."""
-        least = {count: chains.least(self.processes, count) for count in counts}
-        self.bounds.append(min(least.values()))
-        for count, bound in least.items():
-            if bound >= self.least:
+        for count in counts:
+            if chains.least(self.processes, count) >= self.least:
                 continue  # messages take longer than they save
             found = chains.best(self.processes, count, self._played)
             # Parts are cut where they end.
             if found is not None and keeps_digits(found, self.model, cuttable):
                 self.consider(found, "exchanged")
+        self.bounds.append(min(chains.least(self.processes, count) for count in counts))
 
     def halve(self, cuttable: Sequence[bool]) -> None:
         """Look at schedules of long serial chains whose two processes gather.
@@ -221,9 +221,9 @@ class Families:
             if found is not None:
                 self.consider(found, "gathered")
 
-    def _played(self, schedule: Schedule) -> tuple[Plan, Timeline]:
-        plan = self._planned(schedule)
-        return plan, timeline(priced_program(plan, "kernels", self.profile), self.profile)
+    def _played(self, schedule: Schedule) -> tuple[Program, Timeline]:
+        program = priced_program(self._planned(schedule), "kernels", self.profile)
+        return program, timeline(program, self.profile)
 
     def name(self, cuttable: Sequence[bool]) -> None:
         """Look at the schedules that have a name, where they are soon priced.

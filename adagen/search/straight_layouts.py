@@ -33,6 +33,8 @@ def cheapest_of(
     profile: CostProfile,
     make: Callable[[Schedule], Plan],
     shape: str = "unrolled",
+    *,
+    lower: float = 0.0,
 ) -> Schedule:
     """Return the layout of least time; the schedule in which one process has it all is the first.
 
@@ -43,6 +45,7 @@ def cheapest_of(
         profile: has costs of steps.
         make: makes the plan of a schedule, or raises an AdagenError where that cannot be had.
         shape: of the code (``priced_program``).
+        lower: what processes are known to take which exchange anything, microseconds.
     """
     costs = profile.measured
     tried = [_played(alone, profile, make, shape)]
@@ -56,7 +59,7 @@ def cheapest_of(
     exchange = costs["unrolled.evaluation"] / fastest + costs.channel("auto").latency
     return replace(
         best,
-        lower_bound=min(best.makespan, exchange),
+        lower_bound=min(best.makespan, max(exchange, lower)),
         families=("alone", "gathered"),
         candidates=len(tried),
     )

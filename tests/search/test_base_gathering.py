@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from adagen.emit.predicted import predict
+from adagen.errors import AdagenError
 from adagen.model import LINK_ACCELERATION, Frame, Output
 from adagen.plan import make_plan
 from adagen.plan.certificate import certified
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
-from adagen.search.base_gathering import certified_schedule, reproducible_schedule
+from adagen.search.base_gathering import (
+    alone_schedule,
+    certified_layouts,
+    certified_schedule,
+    reproducible_schedule,
+)
 from tests.models import binary, human_figure, serial_chain
+from tests.slow import slow
 
 DEFAULT = load_profile("default")
 
@@ -57,6 +65,21 @@ def test_certified_limbs_are_shared_where_that_pays() -> None:
     assert all(process.steps for process in plan.processes)
 
 
+@pytest.mark.parametrize("name", ["figure", slow("binary")])
+def test_certified_processes_take_no_less_than_without_bounds_of_errors(name: str) -> None:
+    model = human_figure() if name == "figure" else binary(5, floating=True)
+    plain = best_schedule(model, 2, DEFAULT)
+    found = certified_schedule(model, 2, DEFAULT, "double", "auto", plain)
+    assert found.lower_bound == pytest.approx(min(plain.lower_bound, found.makespan))
+    joints = make_plan(model, found).joints
+    layouts, _ = certified_layouts(model, joints, alone_schedule(model, 2, DEFAULT))
+    for gathered in layouts:
+        schedule = replace(found, meeting="gather", gathered=gathered)
+        with suppress(AdagenError):  # it is not certified
+            plan = certified(make_plan(model, schedule))
+            assert found.lower_bound <= predict(plan, DEFAULT, "kernels").makespan
+
+
 def test_what_cannot_be_certified_by_several_is_done_by_one() -> None:
     model = serial_chain(100)
     plan = certified(make_plan(model, certified_schedule(model, 2, DEFAULT, "double", "auto")))
@@ -68,7 +91,8 @@ def test_certified_processes_gather_elsewhere_where_that_pays() -> None:
     model = serial_chain(100)
     plain = best_schedule(model, 2, DEFAULT)
     assert plain.gathered is not None
-    found = certified_schedule(model, 2, DEFAULT, "double", "auto", [plain.gathered])
+    found = certified_schedule(model, 2, DEFAULT, "double", "auto", plain)
+    assert plain.lower_bound <= found.lower_bound <= found.makespan
     plan = certified(make_plan(model, found))
     assert all(process.owns for process in plan.processes)
     alone = certified(make_plan(model, certified_schedule(model, 1, DEFAULT, "double", "auto")))

@@ -2,25 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
 
 from adagen.cost import Timeline, timeline
 from adagen.emit.predicted import priced_program
-from adagen.model import Mimic
-from adagen.plan import Plan, make_plan
-from adagen.schedule import Schedule, Topology, load_profile, validate
+from adagen.model import Mimic, Model
+from adagen.plan import make_plan
+from adagen.program import Program
+from adagen.schedule import CostProfile, Schedule, Topology, load_profile, validate
 from adagen.schedule.tree import preorder
 from adagen.search import best_schedule
-from adagen.search.chain_exchange import ChainExchange, numbers_of_processes
+from adagen.search.chain_exchange import ChainExchange, Play, numbers_of_processes
 from adagen.search.price import played
 from tests.models import binary, serial_chain
+from tests.plan.test_parts import hung
 from tests.slow import slow
 
 PROFILE = load_profile("default")
+
+
+def player(model: Model, profile: CostProfile = PROFILE) -> Play:
+    """Return what plays a schedule of a robot as loops."""
+
+    def play(schedule: Schedule) -> tuple[Program, Timeline]:
+        program = priced_program(make_plan(model, schedule), "kernels", profile)
+        return program, timeline(program, profile)
+
+    return play
 
 
 def exchanged(joints: int, processes: int, cuttable: list[bool] | None = None) -> Schedule:
@@ -28,10 +41,7 @@ def exchanged(joints: int, processes: int, cuttable: list[bool] | None = None) -
     topology = Topology.of(model)
     chains = ChainExchange(topology, PROFILE, cuttable or [True] * joints, "work")
 
-    def play(schedule: Schedule) -> tuple[Plan, Timeline]:
-        plan = make_plan(model, schedule)
-        return plan, timeline(priced_program(plan, "kernels", PROFILE), PROFILE)
-
+    play = player(model)
     found = chains.best(processes, processes, play)
     assert found is not None
     validate(found, topology)
@@ -72,11 +82,7 @@ def test_no_part_is_empty(allowed: tuple[int, ...]) -> None:
     cuttable = [j in allowed for j in range(400)]
     chains = ChainExchange(Topology.of(model), PROFILE, cuttable, "work")
 
-    def play(schedule: Schedule) -> tuple[Plan, Timeline]:
-        plan = make_plan(model, schedule)
-        return plan, timeline(priced_program(plan, "kernels", PROFILE), PROFILE)
-
-    assert chains.best(4, 4, play) is None
+    assert chains.best(4, 4, player(model)) is None
 
 
 def test_only_joints_that_may_be_cut_are() -> None:
@@ -104,6 +110,8 @@ def test_parts_have_two_joints_and_trees_are_not_asked_to_exchange() -> None:
     assert numbers_of_processes(Topology.of(serial_chain(10)), 4) == [2]
     assert numbers_of_processes(Topology.of(serial_chain(4)), 4) == []
     assert numbers_of_processes(Topology.of(binary(6)), 4) == []
+    assert numbers_of_processes(Topology.of(serial_chain(100)), 8, parts=8) == [4, 2]
+    assert numbers_of_processes(Topology.of(serial_chain(9000)), 8, parts=8) == [8, 4]
 
 
 def test_chains_with_a_slaved_joint_do_not_exchange_and_have_a_schedule() -> None:
@@ -118,3 +126,58 @@ def test_chains_with_a_slaved_joint_do_not_exchange_and_have_a_schedule() -> Non
 @pytest.mark.parametrize(("joints", "processes"), [(5, 2), (8, 2), (11, 4), (17, 4), (23, 8)])
 def test_the_bound_holds_for_short_chains(joints: int, processes: int) -> None:
     exchanged(joints, processes)
+
+
+@pytest.mark.parametrize(
+    ("base", "joints", "processes", "parts"),
+    [
+        *(("revolute", 6, 2, 0), ("revolute", 11, 4, 0), ("floating", 9, 2, 0)),
+        *(("prismatic", 9, 2, 0), ("spherical", 8, 2, 0), ("revolute", 10, 3, 0)),
+        *(("revolute", 50, 2, 8), ("floating", 51, 2, 8)),
+        *(slow("revolute", 14, 4, 0), slow("revolute", 23, 8, 0), slow("revolute", 98, 4, 8)),
+    ],
+)
+@pytest.mark.parametrize("name", ["default", "xeon"])
+def test_no_cut_takes_less_than_the_bound(
+    base: str, joints: int, processes: int, parts: int, name: str
+) -> None:
+    """All cuts, all ways to put passages together: the least is at least the bound."""
+    model, profile = hung(base, joints, seed=3), load_profile(name)
+    topology, play = Topology.of(model), player(model, profile)
+    chains = ChainExchange(topology, profile, [True] * joints, "work", parts)
+    bounds = [chains.least(processes, processes)]
+    chains.best(processes, processes, play)
+    bounds.append(chains.least(processes, processes))
+    # Two joints beside the one of the cut; of parts, three for each lane, that one among them.
+    own = 3 * parts if parts else 2
+    least = min(
+        play(schedule)[1].makespan
+        for cuts in combinations(range(own, joints - 1), processes - 1)
+        if all(
+            beyond - first >= own + (not parts and first > 0)
+            for first, beyond in pairwise((0, *cuts, joints))
+        )
+        for schedule in ways(model, profile, cuts, parts)
+    )
+    assert bounds[0] <= bounds[1] <= least
+
+
+def ways(model: Model, profile: CostProfile, cuts: Sequence[int], parts: int) -> Iterator[Schedule]:
+    """Yield the schedules that cut a chain at some joints, for each way to tell passages."""
+    allowed = [j in cuts for j in range(len(model.joints))]
+    chains = ChainExchange(Topology.of(model), profile, allowed, "work", parts)
+    found = chains.best(len(cuts) + 1, len(cuts) + 1, player(model, profile))
+    assert found is not None
+    for fan in (2, 4, 8)[: len(cuts).bit_length()]:
+        yield replace(found, fan=fan)
+
+
+@pytest.mark.parametrize("processes", [2, slow(8)])
+def test_bounds_of_long_chains_in_parts_are_close(processes: int) -> None:
+    """Nearly all that processes take beside their own joints is in the bound."""
+    model, profile = serial_chain(1000), load_profile("xeon")
+    chains = ChainExchange(Topology.of(model), profile, [True] * 1000, "work", 8)
+    play = player(model, profile)
+    found = chains.best(processes, processes, play)
+    assert found is not None
+    assert chains.least(processes, processes) > play(found)[1].makespan / 1.15

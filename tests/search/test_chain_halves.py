@@ -6,15 +6,14 @@ from dataclasses import replace
 
 import pytest
 
-from adagen.cost import Timeline, timeline
-from adagen.emit.predicted import priced_program
-from adagen.plan import Plan, make_plan
+from adagen.plan import make_plan
 from adagen.schedule import CostProfile, Schedule, Topology, load_profile
 from adagen.schedule.tree import Gathered
 from adagen.search import best_schedule, find_schedule
 from adagen.search.chain_halves import ChainHalves
 from adagen.search.price import played
 from tests.models import binary, serial_chain
+from tests.search.test_chain_exchange import player
 from tests.slow import slow
 
 PROFILE = load_profile("default")
@@ -27,12 +26,7 @@ def halved(joints: int, profile: CostProfile = PROFILE) -> ChainHalves:
 
 
 def best(joints: int, *, told: bool, profile: CostProfile = PROFILE) -> tuple[Schedule, float]:
-    model = serial_chain(joints)
-
-    def play(schedule: Schedule) -> tuple[Plan, Timeline]:
-        plan = make_plan(model, schedule)
-        return plan, timeline(priced_program(plan, "kernels", profile), profile)
-
+    play = player(serial_chain(joints), profile)
     found = halved(joints, profile).best(told, play)
     assert found is not None and found.gathered is not None and found.gathered.told == told
     return found, play(found)[1].makespan

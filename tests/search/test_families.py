@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -86,6 +87,11 @@ def test_of_straight_lines_little_is_proven() -> None:
     assert arm.verdict == "optimal"
     figure = best_schedule(human_figure(), 2, DEFAULT, shape="unrolled")
     assert 0.0 < figure.lower_bound < figure.makespan
+    least = f"take {figure.lower_bound:.2g} us at least"
+    among = f"others among {figure.among} {least}"
+    assert figure.proven == f"no useful bound: proven is only that {among}"
+    near = replace(figure, lower_bound=figure.makespan / 1.2)
+    assert near.proven.startswith("at most 20.0% above the optimum among loops")
 
 
 def test_schedules_by_name_are_candidates() -> None:
