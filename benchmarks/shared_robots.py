@@ -1,12 +1,13 @@
 """Robots with tens of joints on several processes: what that is predicted to save, and saves.
 
-    python -m benchmarks.shared_robots [MODEL ...] [--pair] [--processes P ...] [--rounds R]
-                                       [--priority N] [--write PAGE]
+    python -m benchmarks.shared_robots [MODEL ...] [--human] [--pair] [--processes P ...]
+                                       [--profile NAME] [--rounds R] [--priority N] [--write PAGE]
 
-Each MODEL (a URDF) floats. --pair adds two talos of example-robot-data that carry a bar: a body in
-one's left hand that the other's left hand holds by a ball joint, 100 degrees of freedom. All
-programs of a robot are timed by turns. With more processes than cores, times are from stretches of
-computing, played through with what messages cost.
+Each MODEL (a URDF) floats. --human adds the paper's figure of 161 degrees of freedom. --pair adds
+two talos of example-robot-data that carry a bar: a body in one's left hand that the other's left
+hand holds by a ball joint, 100 degrees of freedom. All programs of a robot are timed by turns. With
+more processes than cores, times are from stretches of computing, played through with what messages
+cost in the profile.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from adagen.studies.bench.machine import machine
 from adagen.studies.bench.report import table
 from adagen.studies.bench.scale import at_priority, made
 from benchmarks.page import command, publish
+from benchmarks.paper.robots import human
 from benchmarks.real_robots import file_of
 
 HEAD = ("robot", "DOF", "P", "meeting", "us", "saved", "predicted, us", "saved as predicted")
@@ -72,6 +74,7 @@ def measured(
     name: str,
     robot: Robot,
     processes: Sequence[int],
+    profile: str,
     rules: Rules,
     priority: int,
     on_progress: Progress,
@@ -80,7 +83,7 @@ def measured(
     toolchain, solvers = find_toolchain(), []
     for count in sorted({1, *processes}):
         on_progress(f"{name}: building P={count}")
-        solvers.append(made(robot, count, "default", toolchain))
+        solvers.append(made(robot, count, profile, toolchain))
     held = [solver.contestant for solver in solvers]
     with at_priority(priority):
         times, gone = hold(held, rules, lambda text: on_progress(f"{name}: {text}"))
@@ -112,7 +115,9 @@ def main(words: Sequence[str] | None = None) -> int:
     """Measure what the command line names, print the table, and return the exit status."""
     parser = command(__doc__)
     parser.add_argument("models", type=Path, nargs="*", metavar="MODEL")
+    parser.add_argument("--human", action="store_true", help="the figure of 161 freedoms, too")
     parser.add_argument("--pair", action="store_true", help="two talos that carry a bar, too")
+    parser.add_argument("--profile", default="default", help="what operations and messages cost")
     parser.add_argument("--processes", type=int, nargs="+", default=(2, 4))
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--priority", type=int, default=0, help="real-time, of what is timed")
@@ -125,11 +130,15 @@ def main(words: Sequence[str] | None = None) -> int:
             tempfile.TemporaryDirectory(prefix="adagen-") as folder,
         ):
             robots = [(file.stem, read(file, floating=True)) for file in options.models]
+            if options.human:
+                file = Path(folder) / "human161.urdf"
+                file.write_text(human(161), encoding="utf-8")
+                robots.append(("figure of 161", read(file)))
             if options.pair:
                 robots.append(("two talos, a bar", pair(Path(folder))))
             for name, robot in robots:
-                more = options.processes, rules, options.priority, on_progress
-                rows += measured(name, robot, *more)
+                how = options.profile, rules, options.priority, on_progress
+                rows += measured(name, robot, options.processes, *how)
     except AdagenError as error:
         print(error, file=sys.stderr)
         return error.status
@@ -138,7 +147,8 @@ def main(words: Sequence[str] | None = None) -> int:
     text = "\n".join(
         [
             f"{about['processor']}, {about['cores']} cores, {about['system']}; {compilers}. "
-            f"{rules.rounds} rounds by turns; the fastest evaluation. ≈: from stretches.",
+            f"Profile: {options.profile}. {rules.rounds} rounds by turns; the fastest evaluation. "
+            "≈: from stretches.",
             "",
             *table(HEAD, rows),
             "",
