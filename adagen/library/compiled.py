@@ -14,6 +14,7 @@ from adagen.library.inputs import inputs_of
 from adagen.library.request import Request
 from adagen.library.robot import Origin, Robot
 from adagen.library.scheduling import KNOWN, given_schedule, schedule_of
+from adagen.library.self_check import check_answer
 from adagen.library.solver import Compiled
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
@@ -136,6 +137,7 @@ def emitted(
         single_file=request.single_file,
         target=request.target,
     )
+    check_answer(model, plan, program)
     line = timeline(program, profile) if priced else None
     inputs = inputs_of(origin, request)
     return Compiled(model, origin, request, schedule, plan, program, line, files, inputs)
