@@ -14,7 +14,7 @@ from math import prod
 from adagen.search.incumbent import LOOK, Incumbent
 from adagen.search.layout_bounds import Around
 from adagen.search.layouts import MeetingPlace
-from adagen.search.sweep_bound import NOTHING, SweepBound
+from adagen.search.sweep_bound import SweepBound
 
 Counts = tuple[int, ...]
 """How many limbs of each class of interchangeable ones."""
@@ -111,7 +111,6 @@ class Assignment:
         ]
         bounds = self.found.bounds
         self.work = [bounds.joint_bounds.work(limb) for limb in limbs]
-        self.limb_bounds = [bounds.by_process.of(limb) for limb in limbs]
         self.long = [bounds.joint_bounds.longest(limb) for limb in limbs]
         self.weights = [self.work[own[0]].both for own in self.classes]
         self.cores = [(core, bounds.around(core)) for core in self.place.cores]
@@ -209,9 +208,9 @@ class Assignment:
         return self._known[counts]
 
     def _bounded(self, counts: Counts) -> _Block:
-        bounds, together = self.found.bounds, self.found.bounds.by_process
+        bounds = self.found.bounds
         limbs = [k for own, n in zip(self.classes, counts, strict=True) for k in own[:n]]
-        every = together.least(self.limb_bounds[k] for k in limbs)
+        every = self._work(limbs)
         most = max(self.long[k].both for k in limbs)
         cores, messages = self._beside(limbs, 1)
         total = (max(most, every.both) + cores) / bounds.fastest
@@ -221,17 +220,17 @@ class Assignment:
         for core, around in self.cores:
             own = [k for k in limbs if self.place.limbs[k].tree == core.tree]
             if own:
-                known = every
-                if len(own) < len(limbs):
-                    known = together.least(
-                        (self.limb_bounds[k] for k in own), (self.limb_bounds[k] for k in limbs)
-                    )
+                known = self._work(own)
                 way = 0.0 if any(self.place.limbs[k].up for k in own) else around.way
                 inwards = max(known.inwards, *(self.long[k].inwards for k in own))
                 before.append((inwards + way + around.before) / bounds.fastest)
                 after.append((known.outwards + around.after) / bounds.fastest)
         trees = frozenset(self.place.limbs[k].tree for k in limbs)
         return _Block(counts, (), min(before, default=0), min(after, default=0), total, trees)
+
+    def _work(self, limbs: Sequence[int]) -> SweepBound:
+        """The least that limbs take, in rows as wide as the robot has them."""
+        return SweepBound(*map(sum, zip(*(self.work[k] for k in limbs), strict=True)))
 
     def _beside(self, limbs: Sequence[int], processes: int) -> tuple[float, float]:
         """What processes that share limbs take besides, each on average at the least.
@@ -319,22 +318,18 @@ class Assignment:
         if key not in self._left:
             self._looks += 1
             limbs = [k for own, n in zip(self.classes, remaining, strict=True) for k in own[:n]]
-            work, every = 0.0, NOTHING
+            work = 0.0
             if limbs:
                 bounds = self.found.bounds
                 cores, messages = self._beside(limbs, processes)
-                every = bounds.by_process.least(self.limb_bounds[k] for k in limbs)
-                work = (every.both / processes + cores) / bounds.fastest + messages
+                work = (self._work(limbs).both / processes + cores) / bounds.fastest + messages
             before = [
-                self._slowest(core.tree, around, limbs, every, processes)
-                for core, around in self.cores
+                self._slowest(core.tree, around, limbs, processes) for core, around in self.cores
             ]
             self._left[key] = _Rest(work, tuple(before))
         return self._left[key]
 
-    def _slowest(
-        self, tree: int, around: Around, limbs: Sequence[int], every: SweepBound, processes: int
-    ) -> float:
+    def _slowest(self, tree: int, around: Around, limbs: Sequence[int], processes: int) -> float:
         """What the slowest process of a tree takes before the exchange that has some of the limbs.
 
         None is 0.
@@ -343,7 +338,6 @@ class Assignment:
             tree: which.
             around: what its core takes.
             limbs: numbers of those that are left, of all trees.
-            every: the least that they take.
             processes: that share them.
         """
         bounds = self.found.bounds
@@ -355,11 +349,8 @@ class Assignment:
             way = 0.0 if self.place.limbs[k].up else around.way
             least = max(least, self.long[k].inwards + way)
         up = any(self.place.limbs[k].up for k in own)
-        if len(own) < len(limbs):
-            every = bounds.by_process.least(
-                (self.limb_bounds[k] for k in own), (self.limb_bounds[k] for k in limbs)
-            )
-        least = max(least, (every.inwards + around.way * (processes - up)) / processes)
+        inwards = self._work(own).inwards
+        least = max(least, (inwards + around.way * (processes - up)) / processes)
         return (least + around.before) / bounds.fastest
 
     def _shares(self, blocks: Sequence[_Block]) -> list[tuple[int, ...]]:

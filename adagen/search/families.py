@@ -312,8 +312,7 @@ class Families:
         for working in halves(self.processes)[1:]:
             spent = Spent(_JOINTS * self.most)
             channel = prices.pricing.channel
-            shared = known.joint_bounds, working, self.costs, channel, known.by_process
-            bounds = Bounds(prices.robot, *shared)
+            bounds = Bounds(prices.robot, known.joint_bounds, working, self.costs, channel)
             fewer = GatheredSearch(prices, bounds, roots, spent)
             near = []
             if self._straight is not None:

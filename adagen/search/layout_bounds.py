@@ -8,14 +8,13 @@ less than the longest limb.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import inf
 
 from adagen.schedule.costs import ChannelCosts, StepCosts
 from adagen.search.joint_bounds import JointBounds
 from adagen.search.limbs import Core, Limb, Robot
-from adagen.search.process_bounds import ProcessBounds
 from adagen.search.sweep_bound import NOTHING, SweepBound, longest_of
 
 _NUMBERS = 27
@@ -46,7 +45,6 @@ class Bounds:
         processes: P.
         costs: the machine's coefficients.
         channel: those of messages.
-        by_process: bounds of limbs of one process, where they are at hand.
     """
 
     def __init__(
@@ -56,7 +54,6 @@ class Bounds:
         processes: int,
         costs: StepCosts,
         channel: ChannelCosts,
-        by_process: ProcessBounds | None = None,
     ) -> None:
         self.robot, self.joint_bounds, self.processes = robot, joint_bounds, processes
         self.fastest = max(costs.speeds(processes))
@@ -66,9 +63,7 @@ class Bounds:
         self.sending_one = channel.send + self.receiving_one
         self.costs = costs
         self.outwards = min(bound.outwards for bound in joint_bounds.row)
-        self.by_process = by_process or ProcessBounds(joint_bounds)
         self._shared: dict[int, float] = {}
-        self._once: dict[int, float] = {}
 
     def around(self, core: Core) -> Around:
         """Return what a core takes besides limbs."""
@@ -79,7 +74,7 @@ class Bounds:
         solve = self.costs["root.mobility" if shown else "root.solve"]
         return Around(self.joint_bounds.way(core.root), pose, whole.both - pose + solve)
 
-    def place(self, cores: Sequence[Core], limbs: Sequence[Limb], enough: float = inf) -> float:
+    def place(self, cores: Sequence[Core], limbs: Sequence[Limb]) -> float:
         """Return the least that a layout takes whose cores hold these at least.
 
         More trees may be shared, and cores may grow, as `adagen.search.meeting_places` lets them.
@@ -87,7 +82,6 @@ class Bounds:
         Args:
             cores: the cores.
             limbs: what is left.
-            enough: a bound that is not to be improved.
         """
         arounds = {core.tree: self.around(core) for core in cores}
         grown = any(core.joints for core in cores)
@@ -98,57 +92,7 @@ class Bounds:
             return max(least, self.shared(arounds[0], limbs, max(most, 2), 2))
         work = sum(self.joint_bounds.work(limb).both for limb in limbs)
         beside = self._beside(arounds, limbs)
-        least = max(least, self.start + (work + beside) / self.processes / self.fastest)
-        if least >= enough:
-            return least
-        return max(least, self.start + self._busiest(arounds, limbs, whole) / self.fastest)
-
-    def _busiest(self, arounds: dict[int, Around], limbs: Sequence[Limb], whole: int) -> float:
-        """What the busiest process takes, on a core of speed 1; cores may grow.
-
-        Args:
-            arounds: what cores take besides, by their trees.
-            limbs: the limbs.
-            whole: trees of lower numbers that have no core will have none.
-        """
-        of = self.by_process.of
-        known = [limb for limb in limbs if limb.tree in arounds or limb.tree < whole]
-        may_be = [limb for limb in limbs if not (limb.tree in arounds or limb.tree < whole)]
-        main = max(may_be, key=len, default=None)
-        found = self.by_process.busiest(
-            [of(limb) for limb in (*known, *([] if main is None else [main]))],
-            self.processes,
-            self._of_all(arounds, limbs),
-            others=[of(limb) for limb in may_be if limb is not main],
-        )
-        return found if main is None else min(found, self._once_opened(main))
-
-    def _of_all(self, arounds: dict[int, Around], limbs: Sequence[Limb]) -> Callable[[int], float]:
-        """What processes take besides limbs, as ``ProcessBounds.busiest`` asks for it.
-
-        Nothing is known of those that do not take part.
-        """
-        total = self._beside(arounds, limbs)
-        return lambda count: total if count == self.processes else 0.0
-
-    def _once_opened(self, limb: Limb) -> float:
-        """The least that the busiest process takes where a tree is shared, wherever that is."""
-        if limb.tree not in self._once:
-            least = inf
-            of, tree = self.by_process.of, limb.tree
-            others = [of(other) for other in self.robot.limbs(()) if other.tree != tree]
-            for link in self.robot.trees[tree].links:
-                core = Core(tree, link)
-                own = [other for other in self.robot.limbs([core]) if other.tree == tree]
-                found = self.by_process.busiest(
-                    [of(other) for other in own],
-                    self.processes,
-                    self._of_all({tree: self.around(core)}, own),
-                    others=others,
-                )
-                least = min(least, found)
-            self._once[tree] = least
-        return self._once[limb.tree]
+        return max(least, self.start + (work + beside) / self.processes / self.fastest)
 
     def _beside(self, arounds: dict[int, Around], limbs: Sequence[Limb]) -> float:
         """What all processes take besides limbs: two of them at least share each core."""

@@ -129,7 +129,7 @@ class GatheredSearch:
         left = found.best
         while True:
             for place in waiting:
-                bound = self.bounds.place(place.cores, place.limbs, found.best)
+                bound = self.bounds.place(place.cores, place.limbs)
                 if bound < found.best:
                     heapq.heappush(heap, (bound, next(order), place, None))
             if not heap or heap[0][0] >= found.best or not self.spent.on(LOOK):

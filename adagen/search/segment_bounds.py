@@ -1,12 +1,9 @@
 """Lower bounds on the time of a partial chain in form `segment`, before any search.
 
-Two arguments, each of which holds where the other is weak:
-
-* *area*: with m processes a chain falls into m segments under m - 1 joins. Every segment waits for
-  the joins above it, log2(m) of them on average at the least, and for the messages that are between
-  it and the root, (m - 1)/m on average at the least; so the time is at least the average segment,
-  that many joins and that much of a message.
-* *room*: see adagen.search.segment_count.
+With m processes a chain falls into m segments under m - 1 joins. Every segment waits for the joins
+above it, log2(m) of them on average at the least, and for the messages that are between it and the
+root, (m - 1)/m on average at the least; so the time is at least the average segment, that many
+joins and that much of a message.
 """
 
 from __future__ import annotations
@@ -22,7 +19,6 @@ from adagen.schedule.costs import block_rows
 from adagen.schedule.profile import TICKS
 from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.segment_prices import Price
-from adagen.search.segment_count import Room
 from adagen.search.segment_successors import Options, divisions
 
 Ints = NDArray[np.int64]
@@ -54,7 +50,6 @@ class SegmentBounds:
         self._arrays()
         self._links(costs)
         self._rates(costs)
-        self._room = Room(costs)
         self._known_besides: dict[
             tuple[int, bool, bool], list[tuple[Ints, NDArray[np.float64]]]
         ] = {}
@@ -99,6 +94,10 @@ class SegmentBounds:
                 way[:, p + 1] = way[:, above] + out[:, p]
             self._way[rooted] = way
             self._way_of_both[rooted] = way[0].tolist()
+        self._furthest = self._way[True][0, 1:].copy()  # of all links beyond each joint
+        for p in reversed(range(len(self._parent))):
+            if (above := self._parent[p]) > 0:
+                self._furthest[above - 1] = max(self._furthest[above - 1], self._furthest[p])
         self._root = _rows([costs.whole_root])[:, 0]
         self._start = np.array([costs.start, costs.start, 0])
 
@@ -160,14 +159,6 @@ class SegmentBounds:
         """Return whether parts of a chain may have nothing to tell: several joints on ground."""
         return chain.top == 0 and sum(p not in chain.cuts for p in self._ground) > 1
 
-    def fits(self, chain: Chain, processes: int, time: int) -> bool:
-        """Return False if no schedule of a chain on P processes keeps within ``time`` ticks."""
-        joined = 0 if self._lone(chain) else int(self._least_join[0])
-        left = int((time - joined) * self._fastest)
-        if self._room.segments(chain, left, processes) <= processes:
-            return True
-        return self._room.segments(chain, int(time * self._fastest), 1) <= 1
-
     def least(self, chain: Chain, processes: int) -> int:
         """Return a lower bound on both sweeps of a chain by its area, ticks."""
         rooted, lone = chain.top > 0, self._lone(chain)
@@ -202,6 +193,12 @@ class SegmentBounds:
         cut, away = cut + self._handling[:, None] * (not lone), self._away[:, None]
         found, guesses = [], []
         more_root, more_end = self._repeated(chain, at)
+        spread = (self._way[True] - self._way[rooted])[0, self._parent[at]]
+        # All segments of an end side but the outermost one carry mobility outwards.
+        carried = self._furthest[at] - self._way[True][0, at + 1]
+        for boundary in chain.cuts:
+            carried[(at < boundary) & (boundary < self._end[at])] = 0  # it does, too
+        ratio = 1 + carried / np.maximum(1, end[0])
         for p, q in divisions(processes):
             a, b = on_root[p - 1], on_end[q - 1]
             if lone:  # the one that has nothing to tell does not wait for the join
@@ -210,7 +207,10 @@ class SegmentBounds:
             else:
                 together = cut + np.maximum(np.maximum(a, b), np.minimum(a, b) + away)
             found.append(together)
-            guess = np.maximum(a[0] + (p - 1) / p * more_root, b[0] + (q - 1) / q * more_end)
+            more = end[0] * (ratio / (q - 1 + ratio) - 1 / q) / self._fastest
+            on_root_side = a[0] + (p - 1) / p * (more_root + spread / p / self._fastest)
+            on_both = on_root_side, b[0] + (q - 1) / q * more_end + more
+            guess = np.maximum(*on_both)
             guesses.append(guess.astype(np.int64) + cut[0])
         bound = np.concatenate(found, axis=1)
         total = np.maximum(bound[0], bound[1] + bound[2])

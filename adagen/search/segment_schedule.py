@@ -17,16 +17,12 @@ from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Tie
 from adagen.schedule.tree_prices import segment_time
-from adagen.search.equal_segments import evenly_cut
 from adagen.search.segment_bounds import SegmentBounds
 from adagen.search.segment_pareto import Label, State, draft_of
 from adagen.search.segment_search import SegmentSearch
 
 _BEAMS = ((1, 1), (4, 1), (16, 1), (4, 2), (8, 4))
 """Of each first guess: options followed at each state, and how unequal divisions may be."""
-
-_EVEN = 600
-"""Expansions for schedules whose segments are alike in time, each of which is soon made."""
 
 
 def segment_bound(topology: Topology, profile: CostProfile, processes: int) -> float:
@@ -83,9 +79,7 @@ def find_segments(
     search = SegmentSearch(costs, bounds, speeds, Budget(expansions, deadline))
     alone = Sweeps(*segment_time(costs, WHOLE, 0, speeds[0]), 0)
     best = Label(alone, State(WHOLE, 0, processes))
-    even = Budget(_EVEN, deadline)
-    best = evenly_cut(costs, bounds, cuttable, speeds, even, best)
-    spent = even.expanded
+    spent = 0
     for width, uneven in _BEAMS:
         budget = Budget(max(64, expansions // 4), deadline)
         beam = SegmentSearch(costs, bounds, speeds, budget, width, uneven)

@@ -76,14 +76,6 @@ class SegmentSearch:
         """Look for the best way below ``known`` ticks, raising :attr:`lower`; return if certain."""
         whole = State(WHOLE, 0, len(self._speeds))
         self.lower = max(self.lower, min(known, self._lower(whole)))
-        low, high = self.lower, known
-        while high - low > max(1, known // 1000):  # what the bound of room alone rules out
-            middle = (low + high) // 2
-            if self.bounds.fits(WHOLE, whole.processes, middle):
-                high = middle
-            else:
-                low = middle
-        self.lower = low
         step = 10
         try:
             while self.lower < known:
@@ -163,8 +155,6 @@ class SegmentSearch:
         front = [alone] if alone.time.total < limit else []
         if only_best and front:
             self.best, limit = alone, alone.time.total
-        if self.width is None and not self.bounds.fits(chain, count, limit - 1):
-            return front
         for total, assembly, disassembly, position, first in self._followed(chain, count):
             if total >= limit:
                 if self.width is None:

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from adagen.calibrate.schedules import random_schedule
 from adagen.model.kinds import KINDS
 from adagen.plan import make_plan
-from adagen.schedule import CostProfile, Topology, makespan_of, preorder, validate
+from adagen.schedule import CostProfile, Topology, load_profile, makespan_of, preorder, validate
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.tree_draft import Draft
 from adagen.search import find_schedule
@@ -24,6 +24,7 @@ from tests.cost.costs import step_by_step, step_profile
 from tests.models import human_figure, random_tree, serial_chain, star
 from tests.scene.held import held
 
+DEFAULT = load_profile("default")
 PROFILE = step_profile((), process__evaluation=0.05, root__invert=0.08, join__revolute=0.15)
 
 
@@ -210,6 +211,19 @@ def test_joints_that_must_not_be_cut_are_not() -> None:
     assert found.root.joint != free.root.joint and found.makespan >= free.makespan
     none = find_schedule(topology, 2, profile=PROFILE, cuttable=[False] * 16)
     assert {node.processes[0] for node in preorder(none.root)} == {0}
+
+
+@pytest.mark.parametrize("expansions", [64, 1000])
+def test_long_chains_are_shared_by_all_processes(expansions: int) -> None:
+    """The outermost segment carries no mobility: one process passes more joints than those within.
+
+    Few expansions find that, as guesses know of it.
+    """
+    model = serial_chain(1200)
+    found = find_schedule(Topology.of(model), 8, profile=DEFAULT, expansions=expansions)
+    validate(found, Topology.of(model))
+    sizes = sorted(len(process.owns) for process in make_plan(model, found).processes)
+    assert sizes[0] > 0 and sizes[-1] > 1.5 * sizes[-2]
 
 
 def test_small_robots_leave_processes_idle() -> None:

@@ -26,9 +26,9 @@ from adagen.search.price import played
 from adagen.search.whole_limb_bounds import WholeLimbBounds
 from tests.cost.costs import step_profile
 from tests.models import random_tree
+from tests.search.test_joint_bounds import hand
 from tests.search.test_layout_search import Case
 from tests.search.test_meeting_places import with_hands
-from tests.search.test_process_bounds import hand
 from tests.slow import spread
 
 PROFILES = {"default": load_profile("default"), "others": step_profile()}

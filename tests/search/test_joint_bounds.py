@@ -11,7 +11,8 @@ from adagen.plan.constants import joints_of
 from adagen.schedule import load_profile
 from adagen.search.joint_bounds import JointBounds
 from adagen.search.layouts import MeetingPlace
-from adagen.search.limbs import Core, Robot
+from adagen.search.limbs import Robot
+from adagen.search.sweep_bound import SweepBound
 from tests.cost.costs import step_profile
 from tests.models import Part, assemble, rod, vector
 from tests.search.test_layout_search import Case
@@ -46,7 +47,7 @@ def hand(fingers: tuple[int, ...], wrist: int = 2) -> Model:
 def test_no_set_of_limbs_is_priced_below_its_floor(name: str, profile: str) -> None:
     """Pairs of limbs, and all limbs but one, of each core that has at least three."""
     case = Case(hand(HANDS[name]), 2, PROFILES[profile])
-    together, seen = case.bounds.by_process, 0
+    joint_bounds, seen = case.bounds.joint_bounds, 0
     for core in case.all_cores():
         if len(core) != 1 or core[0].root == 0:
             continue
@@ -59,7 +60,8 @@ def test_no_set_of_limbs_is_priced_below_its_floor(name: str, profile: str) -> N
             piece = case.prices.piece(place, own, frozenset())
             if piece is None:
                 continue
-            bound = together.least(together.of(place.limbs[k]) for k in own)
+            works = (joint_bounds.work(place.limbs[k]) for k in own)
+            bound = SweepBound(*map(sum, zip(*works, strict=True)))
             share = piece.share
             inwards = share.least_kinematics + share.inwards
             assert bound.inwards <= inwards + 1e-12
@@ -67,24 +69,6 @@ def test_no_set_of_limbs_is_priced_below_its_floor(name: str, profile: str) -> N
             assert bound.both <= inwards + share.between + share.outwards + 1e-12
             seen += 1
     assert seen > 20
-
-
-def test_what_lies_beside_a_joint_is_counted_joint_by_joint() -> None:
-    """The arm of a hand has nothing beside it but what is not beyond it."""
-    profile = PROFILES["default"]
-    assert profile.steps is not None
-    robot = Robot(joints_of(hand((2, 2, 2, 2))))
-    case = Case(hand((2, 2, 2, 2)), 2, profile)
-    together = case.bounds.by_process
-    palm = robot.limbs([Core(0, 1)])
-    arm = next(limb for limb in palm if len(limb) == 2 + 4 * 2)
-    joint_bounds, joints = case.bounds.joint_bounds, list(arm.joints)
-    alone = [joint_bounds.of_row(j, 1).both for j in joints]
-    four = [joint_bounds.of_row(j, 4).both for j in joints]
-    up = together.least([together.of(limb) for limb in palm if limb.up]).both
-    assert up > 0.0
-    expected = sum(alone[:2]) + sum(four[2:])
-    assert together.least([together.of(arm)]).both == pytest.approx(expected)
 
 
 def test_limbs_pay_for_being_passed_together_and_the_more_the_shorter_they_are() -> None:
