@@ -22,8 +22,9 @@ from adagen.cli.contest import Entry, contest
 from adagen.cli.scale import draw
 from adagen.errors import AdagenError
 from adagen.studies.bench.contest import Rules
-from adagen.studies.bench.record import Record, read_record, write_record
+from adagen.studies.bench.record import Record, read_record
 from adagen.studies.bench.report import markdown
+from adagen.studies.records import write_record
 from benchmarks.page import ROOT, write_between_marks
 from benchmarks.paper import robots
 from benchmarks.real_robots import FLOATING, file_of

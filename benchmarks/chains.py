@@ -18,8 +18,9 @@ from adagen.cli.scale import draw
 from adagen.errors import AdagenError
 from adagen.studies.bench.contest import Rules
 from adagen.studies.bench.scale import Wanted, measure_chains
-from adagen.studies.bench.scale_record import read_scale, write_scale
+from adagen.studies.bench.scale_record import read_scale
 from adagen.studies.bench.scale_report import markdown
+from adagen.studies.records import write_record
 from benchmarks.page import ROOT, command, publish
 
 RECORD = ROOT / "build" / "chains" / "scale.json"
@@ -55,7 +56,7 @@ def main(words: Sequence[str] | None = None) -> int:
             scale = measure_chains(
                 wanted,
                 on_progress,
-                lambda found: write_scale(found, RECORD),
+                lambda found: write_record(found, RECORD),
                 before if options.resume else None,
                 before,
             )
@@ -66,7 +67,7 @@ def main(words: Sequence[str] | None = None) -> int:
     if options.write is not None:
         pictures = draw(scale, options.write.parent / "pictures")
         for path in pictures:
-            write_scale(scale, path.with_suffix(".json"))
+            write_record(scale, path.with_suffix(".json"))
         shown = "".join(f"![{path.stem}](pictures/{path.name})\n\n" for path in pictures)
     publish(options, "chains", f"{shown}{markdown(scale)}")
     return 0

@@ -138,8 +138,8 @@ def publish(record: Record, folder: Path) -> None:
         EnvironmentFault: writing failed.
     """
     from adagen.atomic_files import write_files
-    from adagen.studies.bench.record import write_record
     from adagen.studies.bench.report import markdown
+    from adagen.studies.records import write_record
 
     write_files(folder, {"bench.md": markdown(record)})
     write_record(record, folder / "bench.json")

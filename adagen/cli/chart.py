@@ -132,12 +132,12 @@ def _peers(
 
 
 def _write(chart: Chart, options: argparse.Namespace) -> None:
-    from adagen.studies.chart import write_json
+    from adagen.studies.records import write_record
 
     options.out.mkdir(parents=True, exist_ok=True)
     path = options.out / f"chart_{Path(options.model).stem}"
     paths = [path.with_name(f"{path.name}.json")]
-    write_json(chart, paths[0])
+    write_record(chart, paths[0], allow_nan=False)
     if options.picture:
         from adagen.studies.chart.draw import save, work_precision
 

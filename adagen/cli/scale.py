@@ -131,7 +131,8 @@ def _record(
     Raises:
         AdagenError: there is one that cannot be gone on from.
     """
-    from adagen.studies.bench.scale_record import read_scale, write_scale
+    from adagen.studies.bench.scale_record import read_scale
+    from adagen.studies.records import write_record
 
     if options.out is None:
         return None, lambda _: None
@@ -141,7 +142,7 @@ def _record(
         if before.profile != profile:
             raise UsageError(f"{file} was measured with the profile {before.profile}")
     options.out.mkdir(parents=True, exist_ok=True)
-    return before, lambda scale: write_scale(scale, file)
+    return before, lambda scale: write_record(scale, file)
 
 
 def _wanted(options: argparse.Namespace) -> Wanted:
@@ -208,11 +209,11 @@ def publish(scale: Scale, folder: Path) -> None:
         EnvironmentFault: writing failed.
     """
     from adagen.atomic_files import write_files
-    from adagen.studies.bench.scale_record import write_scale
     from adagen.studies.bench.scale_report import markdown
+    from adagen.studies.records import write_record
 
     write_files(folder, {"scale.md": markdown(scale)})
-    write_scale(scale, folder / RECORD)
+    write_record(scale, folder / RECORD)
     draw(scale, folder)
 
 

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from adagen.studies.bench.contest import Rules
-from adagen.studies.bench.scale_record import Scale, ScaleRow, write_scale
+from adagen.studies.bench.scale_record import Scale, ScaleRow
+from adagen.studies.records import write_record
 from benchmarks import beyond
 from benchmarks.critical_path import KINDS
 from tests.studies.bench.test_record import MACHINE
@@ -26,7 +27,7 @@ def test_tables_of_small_chains_and_a_record(
     one = ScaleRow("adagen", "x", 64, 1, "clock", 9e3, 8e3, 0.0, 4e3, 8e3)
     two = replace(one, processes=2, least=4.4e3, predicted=2.5e3, scaled=4e3, meeting="gather")
     record, page = tmp_path / "scale.json", tmp_path / "page.md"
-    write_scale(Scale(MACHINE, Rules(), "default", (one, two)), record)
+    write_record(Scale(MACHINE, Rules(), "default", (one, two)), record)
     page.write_text(MARKS)
     words = ["--joints", "64", "--processes", "2", "4", "64"]
     assert beyond.main([*words, "--check", str(record), "--write", str(page)]) == 0

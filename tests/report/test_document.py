@@ -19,7 +19,8 @@ from adagen.library import compile, read  # noqa: A004
 from adagen.reference.closed import constraints
 from adagen.report import Measured, Scene, accuracy_of, document, page
 from adagen.report.robot import robot
-from adagen.studies.chart import mechanism_of, write_json
+from adagen.studies.chart import mechanism_of
+from adagen.studies.records import write_record
 from tests.report.robots import chart, compiled, every_kind
 from tests.urdf.texts import chain
 
@@ -125,7 +126,7 @@ def test_the_page_needs_nothing_else(tmp_path: Path) -> None:
 
 def test_the_command_writes_one_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     record, out, scene = tmp_path / "chart_arm7.json", tmp_path / "out", tmp_path / "s.toml"
-    write_json(chart("arm7"), record)
+    write_record(chart("arm7"), record)
     scene.write_text("gravity = [0, 0, 0]\n")
     words = [str(MODELS / "arm7.urdf"), "--procs", "1", "--record", str(record)]
     words += ["--scene", str(scene), "--out", str(out)]
@@ -154,7 +155,7 @@ def test_a_record_of_another_robot_is_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     record = tmp_path / "other.json"
-    write_json(chart("talos"), record)
+    write_record(chart("talos"), record)
     words = [str(MODELS / "arm7.urdf"), "--record", str(record), "--out", str(tmp_path / "out")]
     assert main(["report", *words]) == 1
     assert "a chart of talos, not of arm7" in capsys.readouterr().err
@@ -170,11 +171,11 @@ def test_a_record_made_without_the_scene_is_refused(
     words += ["--scene", str(scene), "--out", str(tmp_path / "out")]
     scene.write_text("gravity = [0, 0, 0]\n")
     for mechanism, warned in ((mechanism_of(model), 0), ("", 1)):
-        write_json(chart("arm7", mechanism=mechanism), record)
+        write_record(chart("arm7", mechanism=mechanism), record)
         assert main(["report", *words]) == 0
         assert capsys.readouterr().err.count("does not say whether") == warned
     scene.write_text(f'[joints."{model.joints[0].name}"]\nstiffness = 1\n')
-    write_json(chart("arm7", mechanism=mechanism_of(model)), record)
+    write_record(chart("arm7", mechanism=mechanism_of(model)), record)
     assert main(["report", *words]) == 1
     assert "with another scene or base" in capsys.readouterr().err
 

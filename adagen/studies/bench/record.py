@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import dataclasses
-import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from adagen.atomic_files import write_whole
-from adagen.errors import InputError
 from adagen.studies.bench.contest import Rules, from_stretches
+from adagen.studies.records import record_in
 
 Numbers = tuple[float, ...]
 
@@ -106,32 +103,21 @@ class Record:
     models: tuple[ModelRecord, ...]
 
 
-def write_record(record: Record, path: Path) -> None:
-    """Write the JSON file, whole or not at all.
-
-    Raises:
-        EnvironmentFault: writing failed.
-    """
-    write_whole(path, json.dumps(dataclasses.asdict(record), indent=1, allow_nan=True) + "\n")
-
-
 def read_record(path: Path) -> Record:
     """Return the record in a file.
 
     Raises:
         InputError: it cannot be read, or is not one of ours.
     """
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        models = tuple(_model(model) for model in data["models"])
-        return Record(data["machine"], Rules(**data["rules"]), models)
-    except OSError as error:
-        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise InputError(f"not a record of measurements: {error}", str(path)) from None
+    return record_in(path, "a record of measurements", _record)
+
+
+def _record(data: dict[str, Any]) -> Record:
+    models = tuple(map(_model, data["models"]))
+    return Record(data["machine"], Rules(**data["rules"]), models)
 
 
 def _model(data: dict[str, Any]) -> ModelRecord:
-    rows: Sequence[dict[str, Any]] = data.pop("rows")
+    rows = data.pop("rows")
     made = tuple(Row(**{**row, "turns": tuple(row["turns"])}) for row in rows)
     return ModelRecord(rows=made, **data)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from adagen.atomic_files import write_whole
-from adagen.errors import InputError
 from adagen.studies.bench.contest import Rules
+from adagen.studies.records import record_in
 
 CLOCK, STRETCHES = "clock", "stretches"
 PREDICTED = "predicted"
@@ -135,28 +133,16 @@ class Scale:
         return tuple(sorted({row.processes for row in self.rows if row.team == "adagen"}))
 
 
-def write_scale(scale: Scale, path: Path) -> None:
-    """Write the JSON file, whole or not at all.
-
-    Raises:
-        EnvironmentFault: writing failed.
-    """
-    write_whole(path, json.dumps(dataclasses.asdict(scale), indent=1) + "\n")
-
-
 def read_scale(path: Path) -> Scale:
     """Return the record in a file.
 
     Raises:
         InputError: it cannot be read, or is not one of ours.
     """
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        rows = tuple(ScaleRow(**row) for row in data.pop("rows"))
-        batches = tuple(BatchRow(**row) for row in data.pop("batches"))
-        rules = Rules(**data.pop("rules"))
-        return Scale(rules=rules, rows=rows, batches=batches, **data)
-    except OSError as error:
-        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise InputError(f"not a record of scaling: {error}", str(path)) from None
+    return record_in(path, "a record of scaling", _scale)
+
+
+def _scale(data: dict[str, Any]) -> Scale:
+    rows = tuple(ScaleRow(**row) for row in data.pop("rows"))
+    batches = tuple(BatchRow(**row) for row in data.pop("batches"))
+    return Scale(rules=Rules(**data.pop("rules")), rows=rows, batches=batches, **data)

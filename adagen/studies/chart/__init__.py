@@ -7,7 +7,6 @@ from adagen.studies.chart.record import (
     front,
     mechanism_of,
     read_chart,
-    write_json,
 )
 from adagen.studies.chart.study import Study, chart_of
 from adagen.studies.chart.variants import Variant, every_variant
@@ -24,5 +23,4 @@ __all__ = [
     "mechanism_of",
     "parse_budget",
     "read_chart",
-    "write_json",
 ]

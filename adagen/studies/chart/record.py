@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
-import json
 import math
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from adagen.atomic_files import write_whole
-from adagen.errors import InputError
 from adagen.model import Model
+from adagen.studies.records import record_in
 
 
 @dataclass(frozen=True)
@@ -151,26 +150,14 @@ def marked(points: Sequence[Point]) -> tuple[Point, ...]:
     return tuple(dataclasses.replace(p, front=k in on) for k, p in enumerate(points))
 
 
-def write_json(chart: Chart, path: Path) -> None:
-    """Write a chart that ``read_chart`` reads back.
-
-    Raises:
-        EnvironmentFault: writing failed.
-    """
-    write_whole(path, json.dumps(dataclasses.asdict(chart), indent=1, allow_nan=False) + "\n")
-
-
 def read_chart(path: Path) -> Chart:
     """Read a chart.
 
     Raises:
         InputError: it cannot be read, or is none.
     """
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        points = tuple(Point(**point) for point in data.pop("points"))
-        return Chart(points=points, **data)
-    except OSError as error:
-        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        raise InputError("not a chart as adagen chart writes it", str(path)) from None
+    return record_in(path, "a chart as adagen chart writes it", _chart)
+
+
+def _chart(data: dict[str, Any]) -> Chart:
+    return Chart(points=tuple(Point(**point) for point in data.pop("points")), **data)

@@ -10,8 +10,9 @@ import pytest
 
 from adagen.errors import InputError
 from adagen.studies.bench.contest import Rules
-from adagen.studies.bench.record import ModelRecord, Record, Row, read_record, write_record
+from adagen.studies.bench.record import ModelRecord, Record, Row, read_record
 from adagen.studies.bench.report import DETAILS, PLAYED, SUMMARY, details, markdown, summary
+from adagen.studies.records import write_record
 
 MACHINE: dict[str, Any] = {
     "processor": "Abacus 3000",

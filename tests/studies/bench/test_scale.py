@@ -23,9 +23,9 @@ from adagen.studies.bench.scale_record import (
     Scale,
     ScaleRow,
     read_scale,
-    write_scale,
 )
 from adagen.studies.bench.scale_report import BATCHES, TIMES, batches, markdown, times
+from adagen.studies.records import write_record
 from tests.models import serial_chain
 from tests.studies.bench.test_record import MACHINE
 
@@ -63,7 +63,7 @@ def scale() -> Scale:
 
 
 def test_a_record_reads_back_as_it_was_written(scale: Scale, tmp_path: Path) -> None:
-    write_scale(scale, tmp_path / "scale.json")
+    write_record(scale, tmp_path / "scale.json")
     assert read_scale(tmp_path / "scale.json") == scale
 
 

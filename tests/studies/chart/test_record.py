@@ -16,11 +16,12 @@ import pytest
 from adagen.cli import main
 from adagen.cli.console import speaking
 from adagen.errors import EnvironmentFault, InputError
-from adagen.studies.chart import Chart, Point, read_chart, write_json
+from adagen.studies.chart import Chart, Point, read_chart
 from adagen.studies.chart.draw import pyplot, save, work_precision
 from adagen.studies.chart.motion import MotionChart, MotionPoint
 from adagen.studies.chart.record import marked
 from adagen.studies.chart.variants import METHODS
+from adagen.studies.records import write_record
 
 OPTIONAL = {"type": ["number", "null"], "minimum": 0}
 SCHEMA = {
@@ -88,7 +89,7 @@ def some_chart() -> Chart:
 class TestData:
     def test_json_is_read_back_and_keeps_its_schema(self, tmp_path: Path) -> None:
         chart = some_chart()
-        write_json(chart, tmp_path / "c.json")
+        write_record(chart, tmp_path / "c.json")
         assert read_chart(tmp_path / "c.json") == chart
         jsonschema.validate(json.loads((tmp_path / "c.json").read_text()), SCHEMA)
 
@@ -173,7 +174,7 @@ class TestPictures:
     def test_a_record_is_drawn_anew(
         self, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        write_json(some_chart(), tmp_path / "chart_x.json")
+        write_record(some_chart(), tmp_path / "chart_x.json")
         assert main(["chart", str(tmp_path / "chart_x.json"), "--out", str(tmp_path / "new")]) == 0
         assert {p.name for p in (tmp_path / "new").iterdir()} == {"chart_x.svg", "chart_x.png"}
         assert "default" in capsys.readouterr().out
