@@ -60,8 +60,6 @@ class Bounds:
         self.single = single
         self.rules = rules
         self._least = chains.q[1] + chains.least_fixed
-        self._towers = np.array([self._tower(link, 0) for link in range(len(chains.degree))])
-        self._hubs: dict[Chain, int] = {}
         self._paths = PathBounds(
             chains, self.spread_all, shares=rules.split == "free", halving=rules.halving
         )
@@ -97,45 +95,4 @@ class Bounds:
 
     def meeting(self, chain: Chain, processes: int) -> int:
         """Return a lower bound for two processes or more from the joints that meet at a link."""
-        return max(self.hub(chain), self._paths.bound(chain, processes))
-
-    def hub(self, chain: Chain) -> int:
-        """Return the time that a link with many joints takes, whatever the number of processes.
-
-        The joints at one link are on one path of the tree. When the i-th of them is assembled,
-        d - i joints of that link of degree d are still outside, so that its k is at least that.
-        """
-        known = self._hubs.get(chain)
-        if known is None:
-            known = self._hubs[chain] = self._hub(chain)
-        return known
-
-    def _hub(self, chain: Chain) -> int:
-        chains = self.chains
-        k = chains.boundary(chain)
-        taken: dict[int, int] = {}
-        for link in chains.handles(chain):
-            taken[link] = taken.get(link, 0) + 1
-        best = 0
-        for link, outside in taken.items():
-            best = max(best, self._tower(link, outside, k))
-        for a, b in [(chain.top - 1, chain.top), *chains.ranges(chain)]:
-            towers = self._towers[a + 1 : b + 1].copy()
-            for link in taken:
-                if a < link <= b:
-                    towers[link - a - 1] = 0
-            if len(towers):
-                best = max(best, int(towers.max()) + (chains.q[k] if towers.max() > 0 else 0))
-        return best
-
-    def _tower(self, link: int, outside: int, k: int = 0) -> int:
-        """Return the least cost of the joints at a link, and of the node of the chain itself.
-
-        That node is the first of them or comes before: it alone is certain to have the chain's k.
-        """
-        chains = self.chains
-        inner = chains.degree[link] - outside
-        if inner < 1:
-            return 0
-        costs = chains.q[k] + sum(chains.q[outside + i] for i in range(1, inner))
-        return int(costs + inner * chains.least_fixed)
+        return self._paths.bound(chain, processes)

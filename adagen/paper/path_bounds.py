@@ -17,7 +17,6 @@ may be shared, a piece that stays is worked on by all of the range, and takes a 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,13 +81,7 @@ class PathBounds:
         rank = np.arange(len(links)) - np.repeat(first, counts)
         away = np.add.reduceat(np.where(rank < given, branch, 0), first)
         if not self._shares:
-            at_best = int(away.argmin())
-            single = total - int(away[at_best])
-            if not self._halving or given < 2:
-                return single + extra
-            parts = _Parts(at, self._end[at], self._fixed[at], below, total, order, links, branch)
-            pair = parts.pair(int(links[first[at_best]]), given, first, counts)
-            return max(single, pair) + extra
+            return total - int(away.min()) + extra
         rest = np.add.reduceat(branch, first) - away
         return self._shared(total + extra, rest, away, branch[first], processes)
 
@@ -140,93 +133,3 @@ class PathBounds:
         if most >= 0:
             own[most] += best
         return own, outside
-
-
-class _Parts(NamedTuple):
-    """A chain divided at each of its links; arrays by position, or by link and branch.
-
-    Attributes:
-        at: positions.
-        end: one past the last position below each.
-        fixed: work that the joint at each position has in any case.
-        below: work at and below each position.
-        total: work in all.
-        order: where each branch stood before sorting: positions from above, then from below.
-        links: link that each branch is at, ascending.
-        branch: work of each branch, at one link the largest first.
-    """
-
-    at: Ints
-    end: Ints
-    fixed: Ints
-    below: Ints
-    total: int
-    order: Ints
-    links: Ints
-    branch: Ints
-
-    def pair(self, u: int, given: int, first: Ints, counts: Ints) -> int:
-        """Return a bound from a link and the one most at odds with it.
-
-        Where a division parts the two links, at a joint j between them, each keeps what is on its
-        side of j, and has one division less for its own branches. Otherwise one of them becomes
-        bare first, and no piece given away holds both a part of one's branches and the other.
-
-        Args:
-            u: the link.
-            given: number of divisions.
-            first: where the branches of each link begin.
-            counts: how many each link has.
-        """
-        to_u = self._toward(u)
-        past: Ints = np.cumsum(to_u) - to_u
-        rank = np.arange(len(self.links)) - np.repeat(first, counts)
-        rank -= past - np.repeat(past[first], counts)
-        lost = np.where(to_u | (rank < given - 1), self.branch, 0)
-        left = self.total - np.add.reduceat(lost, first)
-        left[self.links[first] == u] = 0
-        w = int(self.links[first[int(left.argmax())]])
-        if w == u:
-            return 0
-        u_others, u_side = self._split(u, self._toward(w))
-        w_others, w_side = self._split(w, to_u)
-        between = max(0, u_side + w_side - self.total)
-        together = self.total - _most([*u_others, *w_others, between], given)
-        has_u, has_w = self._has(u), self._has(w)
-        parted = []
-        for i in np.flatnonzero(has_u ^ has_w).tolist():
-            up, down = self.total - int(self.below[i]), int(self.below[i] - self.fixed[i])
-            beyond_u, beyond_w = (up, down) if has_u[i] else (down, up)
-            fixed = int(self.fixed[i])
-            parted.append(
-                max(
-                    self._kept(u_others, u_side, beyond_u, fixed, given),
-                    self._kept(w_others, w_side, beyond_w, fixed, given),
-                )
-            )
-        return min(together, *parted)
-
-    def _kept(self, others: list[int], side: int, beyond: int, fixed: int, given: int) -> int:
-        """Return what is left at a link when its side is cut off and more branches given away."""
-        stump = max(0, side - beyond - fixed)
-        return self.total - beyond - _most([*others, stump], given - 1)
-
-    def _has(self, link: int) -> NDArray[np.bool_]:
-        """Return at or above which positions a link is."""
-        result: NDArray[np.bool_] = (self.at < link) & (link <= self.end)
-        return result
-
-    def _toward(self, link: int) -> NDArray[np.bool_]:
-        """Return which branches hold a link."""
-        has = self._has(link)
-        return np.concatenate([has, ~has])[self.order]
-
-    def _split(self, link: int, toward: NDArray[np.bool_]) -> tuple[list[int], int]:
-        """Return the branches at a link that do not lead somewhere, and the one that does."""
-        here = self.links == link
-        return self.branch[here & ~toward].tolist(), int(self.branch[here & toward].sum())
-
-
-def _most(amounts: list[int], count: int) -> int:
-    """Return the sum of the largest of some amounts."""
-    return sum(sorted(amounts, reverse=True)[:count])

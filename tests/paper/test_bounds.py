@@ -17,7 +17,7 @@ from tests.paper.test_search import profiles, topologies
 
 @st.composite
 def pairs_of_hubs(draw: st.DrawFn) -> Topology:
-    """Two links where limbs meet, and joints between them: where pairs of links bound the time."""
+    """Two links where limbs meet, and joints between them."""
     parents: list[int] = []
     hub = 0
     for limbs in (draw(st.integers(2, 3)), 2):
