@@ -3,7 +3,7 @@
     python -m benchmarks.adversary [--robots 120] [--states 200] [--seed 1 ...]
                                    [--record FILE] [--write FILE]
 
-The robots are of the families of adagen/studies/stability/adversary.py; each is solved in loops and
+The robots are of the families of benchmarks/stability/adversary.py; each is solved in loops and
 as a straight line, on one thread and, where it can be, on two that are joined. An answer is wrong
 from 1e-6 of the largest acceleration on (float: 0.1), beside certified accelerations. It is wrong
 in silence where neither the solver refused nor its emission warned of few digits.
@@ -26,10 +26,11 @@ from adagen.build import Toolchain, find_toolchain
 from adagen.model import Model
 from adagen.states import States
 from adagen.studies.bench.report import table
-from adagen.studies.stability.audit import Audit, Way, audited
+from adagen.studies.stability.audit import Way
 from benchmarks.hard import Asked, hard_robots
 from benchmarks.page import Record, command, publish
 from benchmarks.solvers import tell
+from benchmarks.stability.audit import Audit, audited
 
 WAYS = [
     Way("kernels"),

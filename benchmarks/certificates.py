@@ -44,12 +44,12 @@ from adagen.search import best_schedule
 from adagen.search.objective import predicted_digits
 from adagen.states import States
 from adagen.studies.bench.report import table
-from adagen.studies.stability.adversary import arms, long_chains, trees
-from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 from benchmarks.closed_robots import MECHANISMS
 from benchmarks.hard import Asked, fastest, hard_mechanisms, hard_robots, study
 from benchmarks.page import MODELS, Record
 from benchmarks.solvers import source_of, tell
+from benchmarks.stability.adversary import arms, long_chains, trees
+from benchmarks.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 
 WAYS = [
     Certified("unrolled"),

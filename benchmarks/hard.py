@@ -15,10 +15,11 @@ from adagen.build import Toolchain, find_toolchain
 from adagen.model import Model
 from adagen.plan import Plan
 from adagen.states import States
-from adagen.studies.stability.adversary import FAMILIES, Family, hard_states, robots
-from adagen.studies.stability.mechanisms import mechanisms, worst_states
+from adagen.studies.random_states import hard_states
 from benchmarks.page import Record, command, publish
 from benchmarks.solvers import by_turns, contestant
+from benchmarks.stability.adversary import FAMILIES, Family, robots
+from benchmarks.stability.mechanisms import mechanisms, worst_states
 
 
 def name_of(family: Family) -> str:

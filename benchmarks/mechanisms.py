@@ -3,7 +3,7 @@
     python -m benchmarks.mechanisms [--count 2000] [--states 8] [--seed 1] [--kept FILE]
         [--from 0] [--to N] [--write FILE]
 
-Mechanisms are of the families of adagen/studies/stability/mechanisms.py; their plans are carried
+Mechanisms are of the families of benchmarks/stability/mechanisms.py; their plans are carried
 out in double as straight lines are, and in 400 bits. Wrong is an error of 1e-6 of the largest
 acceleration or more without a failure or a warning. Strange is an answer that dense algebra in the
 null space of J does not share, to the digits that it has.
@@ -23,9 +23,9 @@ from typing import Any
 
 from adagen.model import Model
 from adagen.studies.bench.report import table
-from adagen.studies.stability.mechanisms import FAMILIES, Outcome, audit, mechanisms
 from benchmarks.page import Record, command, publish
 from benchmarks.solvers import tell
+from benchmarks.stability.mechanisms import FAMILIES, Outcome, audit, mechanisms
 
 FIGURES = ("mechanisms", "never", "answered", "refused", "wrong", "strange")
 HEAD = ("family", "mechanisms", "refused at emission", *FIGURES[2:], "largest error")

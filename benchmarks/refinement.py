@@ -26,11 +26,11 @@ from adagen.plan import Plan
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import States
 from adagen.studies.bench.report import table
-from adagen.studies.stability.adversary import FAMILIES
 from adagen.studies.stability.audit import Way, planned, solved, truths
 from benchmarks.certificates import ROBOTS
 from benchmarks.hard import Asked, fastest, hard_robots, name_of, study
 from benchmarks.page import MODELS, Record
+from benchmarks.stability.adversary import FAMILIES
 
 RESIDUALS = ("", "own", "wide")
 """How answers are refined: not at all, or by residuals in these numbers."""

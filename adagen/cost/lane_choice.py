@@ -6,27 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
-from adagen.cost.features import operation_features, step_features
+from adagen.cost.features import operation_features
 from adagen.executor import chosen_grouping
 from adagen.plan import Plan
 from adagen.plan.simd_groups import Limbs, simd_groupings
-from adagen.plan.steps import (
-    Accelerate,
-    Articulate,
-    Deliver,
-    Join,
-    Kinematics,
-    Load,
-    Propagate,
-    Step,
-    Traverse,
-)
 from adagen.plan.tip_mobility import Mentions, mentions
 from adagen.plan.types import Process
 from adagen.program import Operation, Program, lower
 from adagen.program.loops import Loops
 from adagen.program.lower import LOOPS
-from adagen.program.runs import runs
 from adagen.program.slots import Slots
 from adagen.schedule import CostProfile, step_costs
 from adagen.schedule.costs import StepCosts
@@ -113,83 +101,10 @@ def cheapest_loops(plan: Plan, costs: StepCosts) -> OneProcess:
 
 
 def _cheapest(plan: Plan, offers: Sequence[tuple[Limbs, ...]], costs: StepCosts) -> OneProcess:
-    """The loops of least time among some groupings."""
+    """The loops of least time among some groupings, the first of them."""
     named = mentions(plan, plan.processes[0])
-    bounds = _least(plan, offers, costs) if len(offers) > 1 else [0.0]
-    best: tuple[float, int, OneProcess] | None = None
-    for place in sorted(range(len(offers)), key=bounds.__getitem__):
-        if best is not None and bounds[place] > best[0] * _ROUNDED:
-            break  # the others take longer, too
-        found = _loops(plan, offers[place], costs, named)
-        if best is None or (found.time, place) < best[:2]:
-            best = found.time, place, found
-    assert best is not None  # no limbs at all are offered first
-    return best[2]
-
-
-_ROUNDED = 1 + 1e-9  # sums of times are rounded
-
-
-def _least(plan: Plan, offers: Sequence[tuple[Limbs, ...]], costs: StepCosts) -> list[float]:
-    """The least that the only process of a plan takes in each grouping, microseconds.
-
-    That is what its limbs in lanes take, and all else step by step, each in its fastest way.
-    Nothing is known of processes that join, as they may sweep in parts, or traverse runs.
-    """
-    (process,) = plan.processes
-    if plan.wanted or plan.outputs or any(process.steps_of(Join, Traverse)):
-        return [0.0] * len(offers)
-    longest = {j: run.length for run in runs(plan.joints, process.reads) for j in run.joints()}
-    steps = [
-        (joint, _fastest(step, plan, costs, longest.get(joint, 1)))
-        for step in process.steps
-        for joint in [getattr(step, "joint", -1)]
-    ]
-    found = []
-    for limbs in offers:
-        in_lanes = {j for each in limbs for j in each.members()}
-        rows = (Operation(does, each, "lanes", (), 0) for each in limbs for does in _SWEEPS)
-        total = sum(costs.total(operation_features(row, plan.joints)) for row in rows)
-        found.append(total + sum(least for joint, least in steps if joint not in in_lanes))
-    return found
-
-
-_SWEEPS = (Kinematics.does, Articulate.does, Accelerate.does)
-
-
-def _fastest(step: Step, plan: Plan, costs: StepCosts, longest: int) -> float:
-    """The least that a step takes, whatever loop it is in, microseconds.
-
-    Args:
-        step: of a process.
-        plan: its plan.
-        costs: the machine's coefficients.
-        longest: joints of the longest run that its joint may be in.
-    """
-    if isinstance(step, Load):
-        return 0.0
-    alone = costs.total(step_features(step, plan.joints))
-    match step:
-        case Propagate(joint):
-            return min(alone, costs.carried(plan.joints[joint].kind))
-        case Deliver():
-            return min(alone, costs["deliver.along"])
-        case Kinematics(j):
-            kind = plan.joints[j].kind
-            strips = min(
-                costs[f"{group}.{kind}"] for group in ("kinematics_strips", "passing_strips")
-            )
-            ways = {"kinematics": costs[f"kinematics.{kind}"], "kinematics_strips": strips}
-        case Articulate(j):
-            columns = costs[f"articulate_columns.{plan.joints[j].kind}"]
-            ways = {"articulate": alone, "articulate_columns": columns}
-        case Accelerate(j):
-            ways = {"accelerate": alone}
-        case _:
-            return alone
-    if plan.joints[j].parent == 0:  # a run by itself is none there
-        return min(ways.values())
-    return min(price + costs[f"{group}.run"] / longest for group, price in ways.items())
+    found = (_loops(plan, limbs, costs, named) for limbs in offers)
+    return min(found, key=lambda loops: loops.time)
 
 
 def offered_limbs(plan: Plan, process: Process, costs: StepCosts) -> list[tuple[Limbs, ...]]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from adagen.errors import InputError
-from adagen.model import Model
+from adagen.model import REVOLUTE, Model
 from adagen.plan.loop_checks import why_open
 from adagen.reference.closed import closed_states, constraints, constraints_of_all
-from adagen.states import States, random_states
+from adagen.states import States, hardened, random_states
 
 NEAR = 1e-4
 """Least singular value of J, beside the largest, of a pose that is no singular one."""
@@ -39,6 +39,22 @@ def drawn_states(model: Model, count: int, seed: int = 0) -> States:
     good = (rank == rank.max()) & (least > NEAR * sizes[:, 0])
     kept = np.resize(np.flatnonzero(good) if good.any() else np.arange(len(q)), count)
     return States(q[kept], v[kept], states.tau)
+
+
+def hard_states(model: Model, count: int, seed: int = 0) -> States:
+    """Return random states of a robot, half of their angles near multiples of a quarter turn.
+
+    Velocities are up to 100, torques up to 1000, by orders of magnitude. A robot with loops is in
+    closed configurations, as `drawn_states` finds them.
+    """
+    rng = np.random.default_rng((seed, 1))
+    states = drawn_states(model, count, seed)
+    hinges = [
+        model.q_start[j]
+        for j, joint in enumerate(model.joints)
+        if joint.kind is REVOLUTE and not model.closed
+    ]
+    return States(*hardened(*states.parts, hinges, rng))
 
 
 def check_closed(model: Model, states: States) -> None:

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include "json.hpp"
 
 namespace adagen {
 namespace {
@@ -20,7 +21,7 @@ class Certificates {
   // As a member of a JSON object, a comma before it; nothing where answers are not certified.
   std::string json() const {
     if (bounds_.empty()) return "";
-    return ", \"error_bound\": {\"median\": " + number(at(0.5)) + ", \"max\": " + number(at(1)) +
+    return ", \"error_bound\": {\"median\": " + figure(at(0.5)) + ", \"max\": " + figure(at(1)) +
            "}";
   }
 
@@ -29,7 +30,7 @@ class Certificates {
     if (bounds_.empty()) return "";
     std::string text = ", \"error_bounds\": [";
     for (std::size_t s = 0; s < bounds_.size(); ++s)
-      text += (s == 0 ? "" : ", ") + number(bounds_[s]);
+      text += (s == 0 ? "" : ", ") + figure(bounds_[s]);
     return text + "]";
   }
 
@@ -49,12 +50,6 @@ class Certificates {
   }
 
   // Infinity is no JSON number, nor is the bound of a state that failed.
-  static std::string number(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", x);
-    return std::isfinite(x) ? text : "null";
-  }
-
   std::vector<double> bounds_;
 };
 

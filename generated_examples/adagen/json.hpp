@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,13 @@ std::string quoted(const char* text) {
   std::string result;
   add_quoted(result, text);
   return result;
+}
+
+// A figure for people as JSON has it; null for what is not finite.
+inline std::string figure(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return std::isfinite(x) ? text : "null";
 }
 
 // Reads JSON piece by piece; what is wrong is thrown.

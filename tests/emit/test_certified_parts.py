@@ -13,8 +13,9 @@ from adagen.build.toolchain import STANDARD
 from adagen.executor.solve import interpret
 from adagen.model import Model
 from adagen.states import random_states
-from adagen.studies.stability.adversary import hard_states, long_chains, robots
-from adagen.studies.stability.bounds import Certified, bounded, certified_plan
+from adagen.studies.random_states import hard_states
+from benchmarks.stability.adversary import long_chains, robots
+from benchmarks.stability.bounds import Certified, bounded, certified_plan
 from tests.emit.test_parts import driven, graded
 from tests.emitted import NARROW, OPTIMISED, Builder, kernels_of
 from tests.executor.test_certificate import _squares

@@ -20,7 +20,7 @@ from adagen.model import Model
 from adagen.plan import Plan
 from adagen.plan.limb_spread import Spread
 from adagen.states import random_states, write_states
-from adagen.studies.stability.bounds import certified_plan, plan_elsewhere
+from benchmarks.stability.bounds import certified_plan, plan_elsewhere
 from tests.emitted import Builder, Solver, kernels_of
 from tests.models import random_tree, serial_chain, star
 

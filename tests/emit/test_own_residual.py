@@ -17,8 +17,9 @@ from adagen.plan import make_plan
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from adagen.states import States
-from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
+from adagen.studies.random_states import hard_states
 from adagen.urdf import read_robot
+from benchmarks.stability.adversary import FAMILIES, robots
 from tests.emit.test_kernel_slaved import damped
 from tests.emitted import Builder, energy_errors, plan_of
 from tests.golden.make_models import MODELS

@@ -21,7 +21,7 @@ from adagen.plan.refine import corrected
 from adagen.program import check
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import States
-from adagen.studies.stability.adversary import FAMILIES, robots
+from benchmarks.stability.adversary import FAMILIES, robots
 from tests.emitted import EXACT, Builder, energy_errors, forward_error, plan_of, truth_of
 from tests.executor.test_closed_processes import divided, figure, poor_and_good
 from tests.mechanisms import MECHANISMS, quadruped, standing, states_of

@@ -29,8 +29,9 @@ from adagen.plan.steps import Articulate, Certify
 from adagen.program import check, lower
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
-from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
-from adagen.studies.stability.bounds import certified_plan, plan_elsewhere
+from adagen.studies.random_states import hard_states
+from benchmarks.stability.adversary import FAMILIES, robots
+from benchmarks.stability.bounds import certified_plan, plan_elsewhere
 from tests.emitted import plan_of
 from tests.models import human_figure, random_rotation, random_tree, serial_chain, star
 

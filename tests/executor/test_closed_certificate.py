@@ -27,7 +27,8 @@ from adagen.plan.steps import Certify, Correct
 from adagen.program import check, lower
 from adagen.reference import exact_forward_dynamics
 from adagen.states import States
-from adagen.studies.stability import linkages, mechanisms
+from adagen.studies.stability import linkages
+from benchmarks.stability import mechanisms
 from tests.executor.test_arms import CASES as ARMS
 from tests.executor.test_arms import arms_of
 from tests.executor.test_closed_lanes import linkages as limbs_with_loops

@@ -13,7 +13,8 @@ from adagen.plan.certificate import certified
 from adagen.plan.steps import Disassemble, InvertRoot
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
-from adagen.studies.stability.adversary import hard_states, long_chains, robots
+from adagen.studies.random_states import hard_states
+from benchmarks.stability.adversary import long_chains, robots
 from tests.emit.test_parts import driven, graded
 from tests.executor.test_certificate import _norm, _squares
 from tests.long_doubles import LongDoubles

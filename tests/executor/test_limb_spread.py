@@ -22,7 +22,7 @@ from adagen.plan import Plan
 from adagen.plan.limb_spread import Spread, beyond_held
 from adagen.plan.steps import Certify
 from adagen.states import random_states
-from adagen.studies.stability.bounds import certified_plan, plan_elsewhere
+from benchmarks.stability.bounds import certified_plan, plan_elsewhere
 from tests.models import random_tree, serial_chain, star
 
 Array = NDArray[np.float64]

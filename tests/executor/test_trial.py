@@ -18,7 +18,9 @@ from adagen.model import Model
 from adagen.plan.own_axes import OwnAxes, joints_in_own_axes
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import random_states
-from adagen.studies.stability import adversary, robots
+from adagen.studies.random_states import hard_states
+from adagen.studies.stability import robots
+from benchmarks.stability import adversary
 from tests.emitted import plan_of, truth_of
 from tests.models import human_figure, random_tree, serial_chain
 
@@ -128,7 +130,7 @@ def test_more_joints_take_fewer_states() -> None:
 def test_what_hard_poses_lose_is_predicted(family: int) -> None:
     """Wrists, light links, a tiny root and slides: of what is answered, the largest error."""
     model = adversary.robots(12, seed=105)[family]
-    plan, states = plan_of(model, 1), adversary.hard_states(model, 150, seed=105)
+    plan, states = plan_of(model, 1), hard_states(model, 150, seed=105)
     given = states.parts
     truth = accelerations(plan, *given)
     found = interpret(plan, states.q.T, states.v.T, states.tau.T).T
@@ -143,7 +145,7 @@ def test_what_hard_poses_lose_is_predicted(family: int) -> None:
 def test_what_is_refused_in_hard_poses_is_known() -> None:
     """Wrists in float, half of them near gimbal lock: they have an answer, or the same fault."""
     model = adversary.robots(12, seed=105)[1]
-    plan, states = plan_of(model, 1, scalar="float"), adversary.hard_states(model, 200, seed=105)
+    plan, states = plan_of(model, 1, scalar="float"), hard_states(model, 200, seed=105)
     q, v, tau = (x.astype(np.float32) for x in states.parts)
     sweep = Sweep(plan, np.float32, None, (q, v, tau), rounded=True)
     with np.errstate(all="ignore"):

@@ -11,7 +11,7 @@ from adagen.emit.shapes import chosen_shape
 from adagen.model import SPHERICAL, Inertia, Model
 from adagen.plan.own_axes import OwnAxes, balls_lose, joints_in_own_axes
 from adagen.studies.stability import robots
-from adagen.studies.stability.adversary import Part, assembled
+from benchmarks.stability.adversary import Part, assembled
 from tests.emitted import plan_of
 from tests.models import human_figure
 

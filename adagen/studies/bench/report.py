@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from adagen.studies.bench.contest import WORDS
 from adagen.studies.bench.record import ModelRecord, Record, Row
@@ -44,60 +43,32 @@ DETAILS = (
 )
 
 
-@dataclass(frozen=True)
-class Standing:
-    """The best of each team for one robot; None where it took no part."""
-
-    pinocchio: Row | None
-    casadi: Row | None
-    mujoco: Row | None
-    one: Row | None
-    single: Row | None
-    two: Row | None
-    two_through_root: Row | None
-    two_played: Row | None
-    four: Row | None
-    batch: Row | None
-    single_batch: Row | None
-
-
-def standing(model: ModelRecord) -> Standing:
-    """Return who was best at what."""
-    return Standing(
-        model.best("pinocchio"),
-        model.best("casadi"),
-        model.best("mujoco"),
-        model.best("adagen", processes=1, scalar="double"),
-        model.best("adagen", processes=1, scalar="float"),
-        model.timed("adagen", processes=2, scalar="double"),
-        model.timed("adagen", "through_root", processes=2, scalar="double"),
-        model.best("adagen", "stretches", processes=2, scalar="double"),
-        model.timed("adagen", processes=4, scalar="double"),
-        model.best("adagen", processes=1, scalar="double lanes"),
-        model.best("adagen", processes=1, scalar="float lanes"),
-    )
-
-
 def summary(model: ModelRecord) -> list[str]:
-    """Return a robot's row of the summary, a cell for each of SUMMARY."""
-    s = standing(model)
+    """Return a robot's row of the summary, a cell for each of SUMMARY: the best of each team."""
+    pinocchio, casadi, mujoco = map(model.best, ("pinocchio", "casadi", "mujoco"))
+    one, single, batch, single_batch = (
+        model.best("adagen", processes=1, scalar=scalar)
+        for scalar in ("double", "float", "double lanes", "float lanes")
+    )
+    two, four = (model.timed("adagen", processes=p, scalar="double") for p in (2, 4))
+    through_root = model.timed("adagen", "through_root", processes=2, scalar="double")
     return [
         model.name,
         str(model.dofs),
-        *(_time(row) for row in (s.pinocchio, s.casadi, s.mujoco, s.one)),
-        _ratio(s.pinocchio, s.one),
-        _ratio(s.casadi, s.one),
-        _time(s.single),
-        _time(s.two),
-        _saved(s.one, s.two),
-        _time(s.two_through_root),
-        _saved(s.one, s.two_through_root),
-        _time(s.two_played),
-        _time(s.four),
-        _saved(s.one, s.four),
-        _time(s.batch),
-        _ratio(s.pinocchio, s.batch),
-        _time(s.single_batch),
+        *map(_time, (pinocchio, casadi, mujoco, one)),
+        _ratio(pinocchio, one),
+        _ratio(casadi, one),
+        _time(single),
+        _time(two),
+        _saved(one, two),
+        _time(through_root),
+        _saved(one, through_root),
+        _time(model.best("adagen", "stretches", processes=2, scalar="double")),
+        _time(four),
+        _saved(one, four),
+        _time(batch),
+        _ratio(pinocchio, batch),
+        _time(single_batch),
     ]
 
 

@@ -120,21 +120,8 @@ def _built(
 
 
 def _point(variant: Variant) -> Point:
-    return Point(
-        label=variant.label,
-        team="baseline" if variant.baseline else "adagen",
-        algorithm=variant.algorithm,
-        schedule=variant.schedule,
-        scalar=variant.scalar,
-        processes=variant.processes,
-        refine=variant.refine,
-        shape=variant.shape,
-        batch=variant.batch,
-        reproducible=variant.reproducible,
-        lanes=variant.lanes,
-        objective=variant.objective,
-        certify=variant.certify,
-    )
+    team = "baseline" if variant.baseline else "adagen"
+    return Point(label=variant.label, team=team, **vars(variant))
 
 
 def _peer(contestant: Contestant) -> Point:

@@ -1,9 +1,8 @@
-"""What emitted solvers answer in hard states, beside the truth: right, refused, wrong."""
+"""The ways in which the suite solves robots by emitted solvers, and what these answer."""
 
 from __future__ import annotations
 
 import ctypes
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -20,7 +19,6 @@ from adagen.plan.types import THREADS
 from adagen.reference import exact_forward_dynamics
 from adagen.schedule import load_profile
 from adagen.search import best_schedule, named_schedule
-from adagen.search.objective import FEW, predicted_digits
 from adagen.states import States
 from adagen.studies.stability.loaded import loaded
 
@@ -71,38 +69,6 @@ class Way:
         return ", ".join(words + [self.scalar] * (self.scalar != "double"))
 
 
-@dataclass(frozen=True)
-class Wrong:
-    """An answer that is wrong without a failure or a warning.
-
-    Attributes:
-        robot: its name.
-        way: how it was solved.
-        state: number of the state.
-        error: of the answer, relative to the largest acceleration.
-    """
-
-    robot: str
-    way: Way
-    state: int
-    error: float
-
-
-@dataclass(frozen=True)
-class Audit:
-    """The outcomes of all evaluations of one variant.
-
-    Attributes:
-        counts: answered, refused, and of the answered ones wrong.
-        wrong: the wrong ones.
-        warned: whether few digits are predicted, so that emission warns.
-    """
-
-    counts: Counter[str]
-    wrong: tuple[Wrong, ...]
-    warned: bool
-
-
 def planned(model: Model, way: Way) -> Plan | None:
     """Return a plan of a robot by one thread or several; None where it is not shared out so."""
     profile = load_profile("default")
@@ -134,11 +100,6 @@ def truths(model: Model, states: States) -> list[Array | None]:
     return found
 
 
-def answers(plan: Plan, way: Way, states: States, toolchain: Toolchain) -> Iterator[Array | None]:
-    """Yield what the emitted solver answers for each state, None where it refuses."""
-    return solved(source_of(plan, way), plan, states, toolchain)
-
-
 def source_of(plan: Plan, way: Way) -> str:
     """Return what is emitted of a plan.
 
@@ -162,49 +123,3 @@ def solved(source: str, plan: Plan, states: States, toolchain: Toolchain) -> Ite
             qdd = np.empty_like(state[1])
             status = call("solve", ctypes.c_int, *state, qdd)
             yield qdd.astype(np.float64) if status == 0 else None
-
-
-def warned(model: Model, plan: Plan, way: Way) -> bool:
-    """Whether so few digits are predicted of a plan that its emission warns."""
-    try:
-        found = predicted_digits("both", model, plan, way.shape)
-    except FloatingPointError:
-        return True
-    return found.anywhere > FEW[way.scalar]
-
-
-def audited(
-    model: Model, states: States, ways: list[Way], toolchain: Toolchain
-) -> dict[Way, Audit]:
-    """Solve states of a robot in some ways and compare with the truth.
-
-    Where the inertia matrix is singular, every answer is wrong. States of floats are rounded to
-    floats for the truth, too.
-
-    Raises:
-        EnvironmentFault: a solver cannot be built.
-    """
-    found: dict[Way, Audit] = {}
-    known: dict[str, list[Array | None]] = {}
-    for way in ways:
-        plan = planned(model, way)
-        if plan is None:
-            continue
-        if way.scalar not in known:
-            known[way.scalar] = truths(model, states.read_in(way.scalar))
-        counts: Counter[str] = Counter()
-        wrong: list[Wrong] = []
-        solved = answers(plan, way, states, toolchain)
-        for k, (answer, truth) in enumerate(zip(solved, known[way.scalar], strict=True)):
-            if answer is None:
-                counts["refused"] += 1
-                continue
-            counts["answered"] += 1
-            error = np.inf
-            if truth is not None:
-                error = float(np.abs(answer - truth).max() / max(np.abs(truth).max(), 1e-300))
-            if not error <= WRONG[way.scalar]:
-                counts["wrong"] += 1
-                wrong.append(Wrong(model.name, way, k, error))
-        found[way] = Audit(counts, tuple(wrong), warned(model, plan, way))
-    return found

@@ -31,9 +31,8 @@ from adagen.plan import Plan, plan_to_json
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.search.objective import FEW, predicted_digits
 from adagen.states import States, random_states
-from adagen.studies.random_states import drawn_states
+from adagen.studies.random_states import drawn_states, hard_states
 from adagen.studies.stability import linkages, robots
-from adagen.studies.stability.adversary import hard_states
 from adagen.studies.stability.audit import WRONG, Way, planned, solved, source_of, truths
 from adagen.version import __version__
 

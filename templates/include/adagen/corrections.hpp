@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "json.hpp"
 #include "program_setting.hpp"
 
 namespace adagen {
@@ -27,7 +27,7 @@ class Corrections {
     std::string text = ", \"refine\": {\"steps\": " + std::to_string(about.refine);
     for (const double part : {0.5, 1.0}) {
       text += part < 1 ? ", \"correction_median\": [" : ", \"correction_max\": [";
-      for (int k = 0; k < about.refine; ++k) text += (k == 0 ? "" : ", ") + number(at(k, part));
+      for (int k = 0; k < about.refine; ++k) text += (k == 0 ? "" : ", ") + figure(at(k, part));
       text += ']';
     }
     return text + "}";
@@ -40,7 +40,7 @@ class Corrections {
     for (std::size_t s = 0; s < sizes_.size(); s += steps()) {
       text += s == 0 ? "[" : ", [";
       for (std::size_t k = 0; k < steps(); ++k)
-        text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
+        text += (k == 0 ? "" : ", ") + figure(sizes_[s + k]);
       text += ']';
     }
     return text + "]";
@@ -67,12 +67,6 @@ class Corrections {
   }
 
   // Infinity is no JSON number.
-  static std::string number(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", x);
-    return std::isfinite(x) ? text : "null";
-  }
-
   std::vector<double> sizes_;
 };
 

@@ -150,13 +150,13 @@ class Verdict {
   // As a member of a JSON object, a comma before it.
   std::string json() const {
     if (backward_.empty()) return "";
-    const std::string known = probed_ ? number(unsure_.part) : "null";
-    return ", \"check\": {\"residual_median\": " + number(middle(residuals_)) +
-           ", \"residual_max\": " + number(residuals_.back()) +
-           ", \"backward_error_median\": " + number(middle(backward_)) +
-           ", \"backward_error_max\": " + number(backward_.back()) +
-           ", \"tolerance\": " + number(tolerance_) + ", \"forward_error\": " + known +
-           ", \"digits\": " + (probed_ ? number(digits()) : "null") +
+    const std::string known = probed_ ? figure(unsure_.part) : "null";
+    return ", \"check\": {\"residual_median\": " + figure(middle(residuals_)) +
+           ", \"residual_max\": " + figure(residuals_.back()) +
+           ", \"backward_error_median\": " + figure(middle(backward_)) +
+           ", \"backward_error_max\": " + figure(backward_.back()) +
+           ", \"tolerance\": " + figure(tolerance_) + ", \"forward_error\": " + known +
+           ", \"digits\": " + (probed_ ? figure(digits()) : "null") +
            ", \"state\": " + std::to_string(state() + 1) +
            ", \"joint\": " + quoted(about.joints[joint()].name) +
            ", \"fault\": " + (fault_.empty() ? "null" : quoted(fault_.c_str())) +
@@ -303,12 +303,6 @@ class Verdict {
   double digits() const { return std::max(0.0, -std::log10(unsure_.part)); }
   int state() const { return right_ && probed_ ? unsure_state_ : off_; }
   int joint() const { return right_ && probed_ ? unsure_.joint : spoilt(at(off_)); }
-
-  static std::string number(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", x);
-    return std::isfinite(x) ? text : "null";
-  }
 
   States states_;
   std::vector<Finding> findings_;

@@ -17,7 +17,7 @@ from adagen.model import Model, canonical
 from adagen.reference import forward_dynamics
 from adagen.states import random_states
 from adagen.studies.bench.contest import Contestant
-from adagen.studies.bench.peers import PEERS, missing
+from adagen.studies.bench.peers import contestants, missing
 from adagen.studies.truth import DOUBLE, truth_of
 from tests.models import random_tree, serial_chain, star
 
@@ -31,7 +31,7 @@ def made(name: str, model: Model, folder: Path) -> list[Contestant]:
     if reason is not None:
         pytest.skip(reason)
     states = random_states(model, 4, seed=2)
-    return list(PEERS[name][1](canonical(model), states, folder))
+    return list(contestants(name, model, states, folder))
 
 
 def check(field: list[Contestant], model: Model) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -12,38 +13,12 @@ from adagen.states import States
 from adagen.studies.bench.contest import Contestant, Progress
 from adagen.studies.bench.machine import package
 
-Make = Callable[[Model, States, Path], Sequence[Contestant]]
+PEERS = {"pinocchio": "pin", "casadi": "casadi", "mujoco": "mujoco"}
+"""By name: the package that each comes in.
 
-
-def _pinocchio(model: Model, states: States, folder: Path) -> Sequence[Contestant]:
-    from adagen.studies.bench.peers.pinocchio import contestants
-
-    return contestants(model, states, folder)
-
-
-def _casadi(model: Model, states: States, folder: Path) -> Sequence[Contestant]:
-    from adagen.studies.bench.peers.casadi import contestants
-
-    return contestants(model, states, folder)
-
-
-def _mujoco(model: Model, states: States, folder: Path) -> Sequence[Contestant]:
-    from adagen.studies.bench.peers.mujoco import contestants
-
-    return contestants(model, states, folder)
-
-
-PEERS: dict[str, tuple[str, Make]] = {
-    "pinocchio": ("pin", _pinocchio),
-    "casadi": ("casadi", _casadi),
-    "mujoco": ("mujoco", _mujoco),
-}
-"""By name: the package that it comes in, and what makes its contestants for a model.
-
-A maker is given the robot in canonical frames, the states to be timed on, and a folder for its
-files; it raises AdagenError where the peer cannot treat the robot.
+Its module here has ``contestants``, which is given the robot in canonical frames, the states to be
+timed on, and a folder for its files; it raises AdagenError where the peer cannot treat the robot.
 """
-
 
 LOOPED = ("pinocchio",)
 """Peers whose dynamics with closed loops is rigid; MuJoCo's equality constraints are springs."""
@@ -63,7 +38,10 @@ def contestants(name: str, model: Model, states: States, folder: Path) -> Sequen
     """
     if model.closed and name not in LOOPED:
         raise EnvironmentFault("it has no rigid closed loops")
-    return PEERS[name][1](canonical(model), states, folder)
+    found: list[Contestant] = import_module(f"{__name__}.{name}").contestants(
+        canonical(model), states, folder
+    )
+    return found
 
 
 def entered(
@@ -100,7 +78,7 @@ def entered(
 
 def missing(name: str) -> str | None:
     """Return why a peer cannot take part; None where it can."""
-    wheel = PEERS[name][0]
+    wheel = PEERS[name]
     if package(wheel) is None or (name != "pinocchio" and find_spec(name) is None):
         return f"the package {wheel} is not installed: pip install 'adagen[bench]'"
     return None

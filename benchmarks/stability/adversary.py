@@ -1,8 +1,8 @@
-"""Small robots and states that are hard to solve: what loses digits, at random and to the extreme.
+"""Small robots that are hard to solve: what loses digits, at random and to the extreme.
 
 Each family varies one thing over many orders of magnitude that methods are known to fail on: what a
 link's inertia about its axis is beside all else, how near axes are to each other, how light a link
-is that others hang on. States are near special angles as often as not.
+is that others hang on.
 """
 
 from __future__ import annotations
@@ -26,8 +26,6 @@ from adagen.model import (
     Link,
     Model,
 )
-from adagen.states import States, hardened
-from adagen.studies.random_states import drawn_states
 from adagen.studies.stability.robots import rod
 
 Array = NDArray[np.float64]
@@ -275,19 +273,3 @@ def robots(count: int, seed: int = 0, families: Sequence[Family] = FAMILIES) -> 
         rng = np.random.default_rng((seed, k))
         found.append(families[k % len(families)](rng))
     return found
-
-
-def hard_states(model: Model, count: int, seed: int = 0) -> States:
-    """Return random states of a robot, half of their angles near multiples of a quarter turn.
-
-    Velocities are up to 100, torques up to 1000, by orders of magnitude. A robot with loops is in
-    closed configurations, as `drawn_states` finds them.
-    """
-    rng = np.random.default_rng((seed, 1))
-    states = drawn_states(model, count, seed)
-    hinges = [
-        model.q_start[j]
-        for j, joint in enumerate(model.joints)
-        if joint.kind is REVOLUTE and not model.closed
-    ]
-    return States(*hardened(*states.parts, hinges, rng))

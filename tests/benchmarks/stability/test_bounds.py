@@ -12,9 +12,10 @@ from adagen.executor import certificate
 from adagen.executor.run import lines_of
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL
 from adagen.states import States
-from adagen.studies.stability.adversary import FAMILIES, arms, hard_states, robots
-from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
+from adagen.studies.random_states import hard_states
 from adagen.urdf import read_robot
+from benchmarks.stability.adversary import FAMILIES, arms, robots
+from benchmarks.stability.bounds import FACTOR, Bounded, Certified, bounded
 from tests.emitted import Builder
 from tests.golden.make_models import MODELS
 from tests.models import random_tree, serial_chain

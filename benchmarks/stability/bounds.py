@@ -31,7 +31,7 @@ from adagen.search.base_gathering import alone_schedule, certified_layouts
 from adagen.states import States, write_states
 from adagen.studies.stability.audit import truths
 from adagen.studies.stability.loaded import loaded
-from adagen.studies.stability.mechanisms import BITS
+from benchmarks.stability.mechanisms import BITS
 
 Array = NDArray[np.float64]
 FACTOR = 3.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from adagen.studies.stability.mechanisms import FAMILIES, Outcome, audit, mechanisms
+from benchmarks.stability.mechanisms import FAMILIES, Outcome, audit, mechanisms
 from tests.slow import spread
 
 

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from adagen.build import Toolchain
-from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
-from adagen.studies.stability.audit import Way, audited, planned, warned
+from adagen.studies.random_states import hard_states
+from adagen.studies.stability.audit import Way, planned
+from benchmarks.stability.adversary import FAMILIES, robots
+from benchmarks.stability.audit import audited, warned
 from tests.emitted import Builder
 from tests.slow import spread
 

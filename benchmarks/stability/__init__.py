@@ -1,0 +1,1 @@
+"""Random robots and mechanisms that are hard to solve, and what emitted solvers make of them."""
