@@ -8,6 +8,7 @@ joins and that much of a message.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import accumulate
 from math import log2
 
@@ -19,9 +20,30 @@ from adagen.schedule.costs import block_rows
 from adagen.schedule.profile import TICKS
 from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.segment_prices import Price
-from adagen.search.segment_successors import Options, divisions
 
 Ints = NDArray[np.int64]
+_ANY = 16  # processes up to which a range may be divided anyhow
+
+
+@dataclass(frozen=True)
+class Options:
+    """Cuts with ways to divide P, by ascending bound; arrays of equal length, ticks.
+
+    Attributes:
+        total: least time of both sweeps.
+        assembly: least time of the first one.
+        disassembly: least time of the second one.
+        position: of the joint that is cut.
+        first: processes for the root side.
+        guess: the time of both sweeps with what the bound leaves out, on average; ticks.
+    """
+
+    total: Ints
+    assembly: Ints
+    disassembly: Ints
+    position: Ints
+    first: Ints
+    guess: Ints
 
 
 def _rows(prices: list[Price]) -> Ints:
@@ -199,7 +221,7 @@ class SegmentBounds:
         for boundary in chain.cuts:
             carried[(at < boundary) & (boundary < self._end[at])] = 0  # it does, too
         ratio = 1 + carried / np.maximum(1, end[0])
-        for p, q in divisions(processes):
+        for p, q in _divisions(processes):
             a, b = on_root[p - 1], on_end[q - 1]
             if lone:  # the one that has nothing to tell does not wait for the join
                 together = np.maximum(np.maximum(a, b), cut + np.minimum(a, b))
@@ -214,7 +236,7 @@ class SegmentBounds:
             guesses.append(guess.astype(np.int64) + cut[0])
         bound = np.concatenate(found, axis=1)
         total = np.maximum(bound[0], bound[1] + bound[2])
-        first = np.repeat([p for p, _ in divisions(processes)], n)
+        first = np.repeat([p for p, _ in _divisions(processes)], n)
         place = np.tile(at, len(found))
         # Processes of no use on one side are given to the other one while they are of use there.
         spare = (
@@ -306,3 +328,10 @@ class SegmentBounds:
         extra = np.stack([up + down - 2, up - 1, down - 1])  # prices are rounded
         found: Ints = ((self._join[:, at] + np.maximum(0, extra)) / self._fastest).astype(np.int64)
         return found
+
+
+def _divisions(processes: int) -> list[tuple[int, int]]:
+    """Return the ways to divide P >= 2 processes: all of them up to 16, else in halves."""
+    if processes > _ANY:
+        return [(processes // 2, processes - processes // 2)]
+    return [(p, processes - p) for p in range(1, processes)]

@@ -24,9 +24,8 @@ from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.sweeps import Sweeps, beside
 from adagen.schedule.tree_prices import scaled, segment_time
-from adagen.search.segment_bounds import SegmentBounds
+from adagen.search.segment_bounds import Options, SegmentBounds
 from adagen.search.segment_pareto import Label, State, add, covered
-from adagen.search.segment_successors import Options
 
 FOREVER = 1 << 62
 _THIN = 6  # labels of a state that are kept where only a few options are followed
