@@ -277,6 +277,7 @@ def straight_programs(profile: CostProfile) -> list[Wanted]:
         squared(robot("figure", crew((2, 6), (2, 7)), ["floating", *["revolute"] * 26], 30)),
     ]
     long = [
+        squared(robot("twine", chain(46), ["revolute"], 3)),
         squared(robot("cord", chain(64), ["revolute"], 2)),
         squared(robot("swarm", crew((4, 20), (2, 30)), ["floating", *["revolute"] * 140], 37)),
     ]

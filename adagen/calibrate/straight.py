@@ -12,16 +12,19 @@ from adagen.calibrate.fit import SHORT, Sample, huber
 from adagen.calibrate.nnls import nnls
 from adagen.cost.straight import straight_stretches
 from adagen.executor.stretches import SINES, WAITS, at_once
+from adagen.schedule.costs import LIMIT
 
 Array = NDArray[np.float64]
 
 HELD = range(1000, 6001, 500)
-"""Statements that a first instruction cache may hold: 32 kB are some 2500."""
+"""Statements whose decoded instructions may be held."""
+FITS = range(2000, 9001, 500)
+"""Statements that a first instruction cache may fit: 32 kB are some 2700."""
 
-_WORK = ("unrolled.operation", "unrolled.move", "unrolled.fetched")
+_WORK = ("unrolled.operation", "unrolled.move", "unrolled.fetched", "unrolled.evicted")
 _NAMES = (*_WORK, WAITS, SINES, "unrolled.evaluation")
 _TURNS = 60
-_BEYOND = 2  # lines at least that are longer than what the instruction cache is taken to hold
+_BEYOND = 2  # lines at least that are longer than what caches are taken to hold
 
 
 @dataclass(frozen=True)
@@ -38,11 +41,16 @@ class Timed:
     statements: float
     time: float
 
-    def row(self, held: float) -> list[float]:
-        """Return how often each of ``_NAMES`` counts where so many statements are held."""
+    def row(self, held: float, fits: float) -> list[float]:
+        """Return how often each of ``_NAMES`` counts where so many statements are held, and fit."""
         beyond = max(0.0, 1 - held / max(1.0, self.statements))
-        fetched = beyond * self.features["unrolled.fetched"]
-        found = {**self.features, "unrolled.fetched": fetched}
+        own = self.features["unrolled.fetched"]
+        evicted = own * (self.statements > fits)
+        found = {
+            **self.features,
+            "unrolled.fetched": beyond * own,
+            "unrolled.evicted": evicted,
+        }
         return [found.get(name, 0.0) for name in _NAMES]
 
 
@@ -74,16 +82,19 @@ def _timed(sample: Sample) -> Iterator[Timed]:
 def fit_straight(timed: Sequence[Timed]) -> dict[str, float]:
     """Return the coefficients of straight lines of statements, microseconds.
 
-    How many statements the first instruction cache holds is what explains the times best, of
-    numbers that two lines or more are longer than: one by itself would be explained by anything.
+    How many statements caches hold is what explains the times best, of numbers that two lines or
+    more are longer than: one by itself would be explained by anything. Where no such number of what
+    fits explains them better than that all of them do, none is said.
     """
     lengths = sorted(each.statements for each in timed)
     most = lengths[-min(_BEYOND, len(lengths))]
     tried = [held for held in HELD if held < most] or HELD[:1]
-    return min((_fit(timed, float(held)) for held in tried), key=lambda found: found[0])[1]
+    all_fit = min((_fit(timed, held, LIMIT) for held in tried), key=lambda found: found[0])
+    not_all = [_fit(timed, held, fits) for held in tried for fits in FITS if held <= fits < most]
+    return min((all_fit, *not_all), key=lambda found: found[0])[1]
 
 
-def _fit(timed: Sequence[Timed], held: float) -> tuple[float, dict[str, float]]:
+def _fit(timed: Sequence[Timed], held: float, fits: float) -> tuple[float, dict[str, float]]:
     """Return how far off the times are, and the coefficients by which they are.
 
     A time is linear in its operations and its waits but for ``at_once``; that is a sum of both with
@@ -91,7 +102,7 @@ def _fit(timed: Sequence[Timed], held: float) -> tuple[float, dict[str, float]]:
     the caches takes longer in all its runs: it counts for less (Huber).
     """
     weight = 1 / np.array([each.time for each in timed])
-    A = np.array([each.row(held) for each in timed]) * weight[:, None]
+    A = np.array([each.row(held, fits) for each in timed]) * weight[:, None]
     work, waits = range(len(_WORK)), _NAMES.index(WAITS)
     weights, trust = np.full((len(timed), 2), 0.5), np.ones(len(timed))
     for _ in range(_TURNS):
@@ -107,5 +118,6 @@ def _fit(timed: Sequence[Timed], held: float) -> tuple[float, dict[str, float]]:
         trust = huber(off)
     return float(off.sum()), {
         **dict(zip(_NAMES, map(float, x), strict=True)),
-        "unrolled.held": held,
+        "unrolled.held": float(held),
+        "unrolled.fits": float(fits),
     }

@@ -16,7 +16,7 @@ def straight_stretches(program: Program, held: float) -> tuple[tuple[Stretch, ..
 
     Args:
         program: of shape `unrolled`.
-        held: statements that the first instruction cache holds.
+        held: statements whose decoded instructions are held.
     """
     return counted_stretches(program.plan, program.slots.limbs, held)
 

@@ -79,7 +79,7 @@ def stretches_of(plan: Plan, grouping: Grouping, held: float) -> tuple[tuple[Str
     Args:
         plan: the plan.
         grouping: which limbs share code, one in each lane.
-        held: statements that the first instruction cache holds.
+        held: statements whose decoded instructions are held.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.

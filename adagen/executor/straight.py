@@ -80,7 +80,7 @@ def counted_stretches(
     Args:
         plan: the plan.
         grouping: which limbs share code, one in each lane.
-        held: statements that the first instruction cache holds.
+        held: statements whose decoded instructions are held.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.

@@ -4,14 +4,15 @@ The statements are an expression graph, so the effect of a robot's structure is 
 Between two messages a process's statements are one stretch. Its time is the larger of the time of
 its operations and the time of its longest dependency chain, plus its sines and cosines. Where both
 are about equal, neither hides the other completely: the time is the fourth root of the sum of their
-fourth powers.
+fourth powers. Where the process's line does not fit the first instruction cache, each statement
+costs more, as all of them are fetched in each evaluation.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import sqrt
+from math import isinf, sqrt
 
 from adagen.executor.run import Simulated
 from adagen.graph import Operations
@@ -28,16 +29,26 @@ class Stretch:
     Attributes:
         features: how often each coefficient counts.
         statements: how many each step has, by the step's place.
+        line: how many statements the process has that are fetched for each evaluation.
     """
 
     features: dict[str, float]
     statements: dict[int, int]
+    line: float = 0.0
 
     def time(self, costs: StepCosts) -> float:
         """Return its time on a machine, microseconds."""
         parts = {name: costs[name] * count for name, count in self.features.items()}
         waits, sines = parts.pop(WAITS), parts.pop(SINES)
-        return at_once(sum(parts.values()), waits) + sines
+        work = sum(parts.values())
+        if self.line > costs["unrolled.fits"]:
+            work += costs["unrolled.evicted"] * self.fetched
+        return at_once(work, waits) + sines
+
+    @property
+    def fetched(self) -> float:
+        """Its statements whose instructions are fetched."""
+        return self.features["unrolled.operation"] + self.features["unrolled.move"]
 
 
 WAITS, SINES = "unrolled.cycle", "unrolled.sine"
@@ -53,7 +64,7 @@ def work_of(operations: Operations, held: float) -> dict[str, float]:
 
     Args:
         operations: its operations.
-        held: statements whose instructions the first instruction cache holds.
+        held: statements whose decoded instructions are held.
     """
     # A sum takes up a product; what is done in SIMD lanes is done once, and moved into them.
     statements = operations.arithmetic - operations.fused
@@ -70,8 +81,8 @@ def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[
     Args:
         simulated: the process after all its steps.
         steps: these.
-        held: statements whose instructions the first instruction cache holds; more of them are
-            fetched anew in each evaluation.
+        held: statements whose decoded instructions are held; more of them are fetched anew in
+            each evaluation. Infinity where many states share an evaluation.
     """
     if held not in simulated.known:
         simulated.known[held] = _stretches(simulated, steps, held)
@@ -103,6 +114,7 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
         if op in _COMPUTED:
             counts[here][mark] = counts[here].get(mark, 0) + 1
     work = work_of(simulated.operations, held)
+    line = 0.0 if isinf(held) else work["unrolled.operation"] + work["unrolled.move"]
     computed = sum(sum(count.values()) for count in counts) or 1
     parts = []
     for k, (count, cycles) in enumerate(zip(counts, done, strict=True)):
@@ -112,7 +124,7 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
             "unrolled.sine": len(simulated.machine.angles) if k == 0 else 0,
             "unrolled.cycle": cycles,
         }
-        parts.append(Stretch(features, count))
+        parts.append(Stretch(features, count, line))
     return parts
 
 

@@ -67,15 +67,24 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "limbs": ("two", "four", "nested_inwards", "nested_outwards", "turned"),
     "parts": ("inwards", "outwards", "run", "join", "release"),
     "process": ("evaluation", "margin"),
-    "unrolled": ("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
+    "unrolled": (
+        *("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
+        *("evicted", "fits"),
+    ),
 }
-"""Groups with coefficients of their own, times but for three.
+"""Groups with coefficients of their own, times but for four.
 
-``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` is a number of statements.
+``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` and ``unrolled.fits`` are
+numbers of statements.
 
 ``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`);
-``fetched`` is added for each statement beyond those that the first instruction cache holds.
+``fetched`` is added for each statement beyond those whose decoded instructions are held, and
+``evicted`` for each statement of a line that the first instruction cache does not fit: from
+beginning to end, its instructions displace those that come next.
 """
+
+ASSUMED = {"unrolled.evicted": 0.0, "unrolled.fits": LIMIT}
+"""What holds where a profile says nothing: it was measured without lines of such a length."""
 
 GROUPS: dict[str, tuple[str, ...]] = {
     **{group: (*KINDS, *extra) for group, extra in PER_KIND.items()},
@@ -215,7 +224,12 @@ def read_steps(source: Source, document: Mapping[str, object]) -> StepCosts | No
     steps = _table(source, document, "steps", GROUPS)
     for group, keys in GROUPS.items():
         row = _table(source, steps, group, keys, "steps")
-        found |= {f"{group}.{key}": _time(source, row, key, "steps", group) for key in keys}
+        found |= {
+            f"{group}.{key}": _time(source, row, key, "steps", group)
+            for key in keys
+            if key in row or f"{group}.{key}" not in ASSUMED
+        }
+    found = {**ASSUMED, **found}
     channels = _table(source, document, "channel", (*CHANNELS, NETWORK))
     costs = {}
     for channel in (*CHANNELS, *([NETWORK] if NETWORK in channels else [])):

@@ -157,7 +157,7 @@ def test_a_sender_never_takes_longer_than_the_way() -> None:
 
 
 def test_costs_of_straight_lines_are_found_again() -> None:
-    truth = step_costs(unrolled__held=2500.0, unrolled__cycle=0.5)
+    truth = step_costs(unrolled__held=2500.0, unrolled__cycle=0.5, unrolled__fits=6000.0)
     lines = [each.lowered for each in straight_programs(load_profile("paper"))]
     assert any(any(line.slots.limbs) for line in lines)
     assert any(len(line.processes) > 1 for line in lines)

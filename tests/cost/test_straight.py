@@ -91,11 +91,30 @@ def test_a_slow_core_and_dear_operations_take_longer() -> None:
     for name in (
         name
         for name in NAMES
-        if name.startswith("unrolled.") and not name.endswith(("fetched", "held", "move"))
+        if name.startswith("unrolled.") and not name.endswith(("fetched", "held", "move", "fits"))
     ):
         dearer = step_profile((), **{name.replace(".", "__"): 1.0})
         assert predict(plan, dearer, "unrolled").makespan > base
     assert predict(plan, step_profile((), join__revolute=1.0), "unrolled").makespan == base
+
+
+def test_a_line_that_does_not_fit_is_fetched_as_a_whole() -> None:
+    plan = plan_of(arm())
+    ((part,),) = straight_stretches(programmed(plan, "unrolled"), 0.0)
+    count = part.features["unrolled.operation"] + part.features["unrolled.move"]
+    assert part.line == count
+
+    def priced(fits: float, evicted: float) -> float:
+        profile = step_profile((), unrolled__fits=fits, unrolled__evicted=evicted)
+        return predict(plan, profile, "unrolled").makespan
+
+    assert priced(count, 5.0) == priced(count, 0.0) == priced(count - 1, 0.0)
+    assert priced(count - 1, 5.0) == pytest.approx(priced(count, 0.0) + 5 * count, rel=1e-2)
+
+
+def test_profiles_without_long_lines_say_nothing_of_what_fits() -> None:
+    assert DEFAULT.steps is not None
+    assert DEFAULT.steps["unrolled.evicted"] == 0
 
 
 def test_processes_are_chosen_against_the_straight_line() -> None:

@@ -24,7 +24,7 @@ from adagen.schedule.costs import StepCosts
 _TOGETHER = 100  # values among which those of one step stand together
 AHEAD = 2000
 """Values that are looked at: with fewer, chains of few links wait; with more, too much is alive."""
-_MOST = 8000  # values of several functions, beyond which their instructions fit no near cache
+_MOST = 6500  # values of several functions, beyond which their instructions fit no near cache
 _WORTH = 0.5  # waiting, of their work: what is alive for long costs instructions, which they lack
 
 
