@@ -22,7 +22,6 @@ from adagen.plan.robot import (
     PlanOutput,
     PlanParameter,
     PlanWrench,
-    bound_by_loops,
     paths_to_ground,
 )
 from adagen.plan.steps import (
@@ -305,11 +304,6 @@ class Plan:
         """Freedoms with artificial inertia: joint, and number among its freedoms."""
         joints = (j for j, joint in enumerate(self.joints) if joint.lent)
         return tuple((j, k) for j in joints for k in range(KINDS[self.joints[j].kind].nv))
-
-    @cached_property
-    def bound_by_loops(self) -> frozenset[int]:
-        """Joints at which, or beyond which, there is a loop or coupling."""
-        return bound_by_loops(self.joints, self.loops, self.couplings)
 
     @cached_property
     def children(self) -> tuple[tuple[int, ...], ...]:

@@ -131,7 +131,7 @@ def integrate(
         step: s.
         advance: the method: from both and a step to both.
     """
-    for _ in range(round(SWING / step)):
+    for _ in range(round(SECONDS / step)):
         quaternion, w = advance(quaternion, w, step)
     return quaternion, w
 
