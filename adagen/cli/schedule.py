@@ -27,6 +27,7 @@ examples:
   adagen schedule robot.urdf --procs 4                    a summary for people
   adagen schedule robot.urdf --procs 4 --svg tree.svg     a drawing
   adagen schedule robot.urdf --procs 4 --json             the tree, for programs
+  adagen schedule robot.urdf --procs 4 --program          what runs, for programs
   adagen schedule robot.urdf --procs 4 --profile paper --tie lex    the paper's
   adagen schedule robot.urdf --hosts hosts            predict for several hosts"""
 
@@ -36,7 +37,13 @@ def command_parser() -> Parser:
     parser = make_parser("adagen schedule", "Find and show the schedule of a robot.", _EPILOG)
     add_model(parser, gravity=False)
     add_schedule(parser)
-    parser.add_argument("--json", action="store_true", help="print the schedule tree as JSON")
+    printed = parser.add_mutually_exclusive_group()
+    printed.add_argument("--json", action="store_true", help="print the schedule tree as JSON")
+    printed.add_argument(
+        "--program",
+        action="store_true",
+        help="print the program as JSON: operations of each process in order, messages, lanes",
+    )
     parser.add_argument("--svg", type=Path, metavar="FILE", help="draw the schedule tree")
     parser.add_argument(
         "--hosts",
@@ -69,6 +76,7 @@ def run(argv: Sequence[str]) -> int:
     from adagen.cost.document import schedule_document
     from adagen.errors import UsageError
     from adagen.library.assessment import assessed
+    from adagen.program import program_to_json
     from adagen.schedule import Topology
 
     stages = Stages()
@@ -94,6 +102,9 @@ def run(argv: Sequence[str]) -> int:
             found.schedule, Topology.of(model), found.program, found.timeline
         )
         print(with_accuracy(document, found.digits))
+        return 0
+    if options.program:
+        print(program_to_json(found.program), end="")
         return 0
     _show(model, found)
     print(wrapped(accuracy_line(found.digits), 2))

@@ -2,6 +2,7 @@
 
 from adagen.program.check import ProgramError, check
 from adagen.program.lower import lower
+from adagen.program.serialise import program_to_json
 from adagen.program.types import Block, Links, Method, Operation, ProcessProgram, Program
 
 __all__ = [
@@ -14,4 +15,5 @@ __all__ = [
     "ProgramError",
     "check",
     "lower",
+    "program_to_json",
 ]

@@ -27,6 +27,21 @@ class TestSchedule:
         listed = re.findall(r"^  (.*) \.\. (.*) \((\d+) joints\)$", said()[0], re.MULTILINE)
         assert len(listed) == 2 and sum(int(count) for _, _, count in listed) == 40
 
+    def test_the_program_as_json(self, arm: Path, said: Said) -> None:
+        words = ["schedule", str(arm), "--procs", "2", "--schedule", "balanced"]
+        assert main([*words, "--program"]) == 0
+        told = json.loads(said()[0])
+        assert told["robot"] == "arm" and told["meeting"] == "joined"
+        owned = [name for process in told["processes"] for name in process["owns"]]
+        assert sorted(owned) == ["j0", "j1", "j2"]
+        sent = [
+            operation["message"]
+            for process in told["processes"]
+            for operation in process["operations"]
+            if operation["does"] == "send"
+        ]
+        assert sorted(sent) == list(range(len(told["messages"])))
+
     def test_as_json_and_back(self, arm: Path, tmp_path: Path, said: Said) -> None:
         assert main(["schedule", str(arm), "--procs", "2", "--json"]) == 0
         text = said()[0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from dataclasses import replace
 
@@ -10,7 +11,7 @@ import pytest
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Articulate, Kinematics, SolveMobility, SolveRoot
 from adagen.plan.types import Process
-from adagen.program import Program
+from adagen.program import Program, program_to_json
 from adagen.program.runs import Run
 from adagen.program.summary import groups, meeting, owners, title
 from tests.program.test_check import example, programs
@@ -57,6 +58,24 @@ def test_runs_are_swept_from_their_far_end() -> None:
         passed = [step.joint for step in operation.steps if isinstance(step, Kinematics)]
         if isinstance(run, Run):
             assert passed == sorted(passed)
+
+
+@pytest.mark.parametrize("seed", SEEDS[:6])
+def test_a_program_is_printed_as_json_with_every_operation(seed: int) -> None:
+    for program in programs(seed):
+        text = program_to_json(program)
+        assert text == program_to_json(program)
+        said = json.loads(text)
+        assert said["shape"] == program.shape and said["meeting"] == meeting(program)
+        for row, own in zip(said["processes"], program.processes, strict=True):
+            assert [each["does"] for each in row["operations"]] == [
+                operation.does for operation in own.operations
+            ]
+        names = [name for row in said["processes"] for name in row["owns"]]
+        assert sorted(names) == sorted(joint.name for joint in program.plan.joints)
+        numbers = [message["numbers"] for message in said["messages"]]
+        plan = program.plan
+        assert numbers == [m.numbers(plan.right_hand_sides, plan.joints) for m in plan.messages]
 
 
 def test_what_is_said_of_a_program_is_read_off_it() -> None:
