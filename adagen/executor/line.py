@@ -13,7 +13,7 @@ from adagen.executor.grouping import least_of, offered_groupings
 from adagen.executor.lane_frames import aligned
 from adagen.executor.machine import Machine
 from adagen.executor.run import Simulated, after_all_steps
-from adagen.graph import Expression
+from adagen.graph import Expression, Node, with_fused
 from adagen.plan.types import Plan
 
 Pair = tuple[int, int]
@@ -46,11 +46,24 @@ class Line:
     Attributes:
         plan: as given.
         machine: the process's.
+        nodes: the values of its graph, sums that take up products among them.
     """
 
     def __init__(self, plan: Plan, simulated: Simulated) -> None:
         self.plan, self.machine = plan, simulated.machine
-        self.nodes = simulated.machine.graph.nodes
+        self.nodes: list[Node] = simulated.machine.graph.nodes
+        self.nodes = self._with_fused(simulated.alive)
+
+    def _with_fused(self, alive: Collection[int]) -> list[Node]:
+        """Its values with sums that take up products, which are then rounded once.
+
+        Which do is decided here, once: what is copied for processes and lanes, and batches, is this
+        line. What processes send each other is computed by itself.
+        """
+        kept = {x.index for x in self.machine.roots()}
+        kept |= {index for own in self.passed.values() for index, _ in own}
+        fused = with_fused(self.nodes, alive, kept)
+        return [fused.get(index, node) for index, node in enumerate(self.nodes)]
 
     @cached_property
     def results(self) -> dict[int, list[Pair]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import reduce
+from functools import partial, reduce
 from itertools import groupby
 
 import numpy as np
@@ -15,7 +15,7 @@ from adagen.executor.machine import RECEIVED, Machine
 from adagen.executor.needed_values import NeededValues
 from adagen.executor.run import Simulated
 from adagen.executor.shared_lanes import shared_lanes
-from adagen.graph import Expression, RoundedGraph
+from adagen.graph import Expression, Node, RoundedGraph
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Receive, StartEmpty, StartLink, Step
 
@@ -95,8 +95,8 @@ class _Copy:
         if node.op in ("pack", "lane"):
             return operands[0]
         if node.op == "across":  # one by one, whatever lanes there are
-            return reduce(self._operation("add"), operands)
-        return self._operation(node.op)(*operands)
+            return reduce(self.graph.add, operands)
+        return self._operation(node)(*operands)
 
     def _several(self, index: int) -> Expression:
         node, lanes = self.line.nodes[index], in_lanes(self.lanes[index])
@@ -104,7 +104,7 @@ class _Copy:
             each = [self.number(self.line.operands((index, lane))[0]) for lane in lanes]
             packed = self.graph.pack(each)
             return packed if node.op == "pack" else self._given(str(node.value), [packed])
-        return self._operation(node.op)(*(self._value(k, lanes) for k in node.args))
+        return self._operation(node)(*(self._value(k, lanes) for k in node.args))
 
     def _given(self, name: str, angle: Sequence[Expression]) -> Expression:
         """An input by its name in the line; of a sine or cosine, its angle."""
@@ -113,9 +113,19 @@ class _Copy:
         cosine, sine = self.machine.circular(angle[0])
         return cosine if name.startswith("cosine") else sine
 
-    def _operation(self, op: str) -> Callable[..., Expression]:
-        found: Callable[..., Expression] = getattr(self.graph, "larger" if op == "max" else op)
+    def _operation(self, node: Node) -> Callable[..., Expression]:
+        if node.op == "multiply_add":
+            return partial(self._multiply_add, *node.value)
+        found: Callable[..., Expression] = getattr(
+            self.graph, "larger" if node.op == "max" else node.op
+        )
         return found
+
+    def _multiply_add(
+        self, product: int, addend: int, a: Expression, b: Expression, c: Expression
+    ) -> Expression:
+        """A product and a sum rounded once, with their signs."""
+        return self.graph.multiply_add(a if product > 0 else -a, b, c if addend > 0 else -c)
 
     def _value(self, index: int, lanes: Sequence[int]) -> Expression:
         """A value of the line in some lanes."""

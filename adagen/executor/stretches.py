@@ -19,7 +19,7 @@ from adagen.graph import Operations
 from adagen.plan.steps import Receive, Send, Step
 from adagen.schedule.costs import StepCosts
 
-_COMPUTED = ("add", "sub", "mul", "reciprocal")
+_COMPUTED = ("add", "sub", "mul", "multiply_add", "reciprocal")
 
 
 @dataclass(frozen=True)

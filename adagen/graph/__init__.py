@@ -5,6 +5,7 @@ from __future__ import annotations
 from adagen.graph.block_triangular import Regular, solved_by_blocks
 from adagen.graph.count import Operations, count_operations, live_nodes, uses_of
 from adagen.graph.evaluate import BALLS, DOUBLE, FLOAT, Algebra, Evaluation
+from adagen.graph.fused import with_fused
 from adagen.graph.linear import (
     Factors,
     cross,
@@ -49,4 +50,5 @@ __all__ = [
     "solved_by_reflections",
     "total",
     "uses_of",
+    "with_fused",
 ]

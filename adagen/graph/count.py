@@ -100,12 +100,13 @@ def count_operations(
                     uses[k] == 1 and nodes[k].op == "mul"
                 ):
                     fused += 1
+            fused += op == "multiply_add"
         elif op in _MOVED:
             moves += _moves(nodes[index])
     ready = max((nodes[root.index].ready for root in roots), default=0)
     return Operations(
-        kinds["mul"],
-        kinds["add"] + kinds["sub"],
+        kinds["mul"] + kinds["multiply_add"],
+        kinds["add"] + kinds["sub"] + kinds["multiply_add"],
         kinds["reciprocal"],
         kinds["neg"],
         fused,
@@ -115,7 +116,7 @@ def count_operations(
     )
 
 
-_DONE = ("mul", "add", "sub", "reciprocal", "neg")
+_DONE = ("mul", "multiply_add", "add", "sub", "reciprocal", "neg")
 _SUMS = ("add", "sub")
 _MOVED = ("pack", "lane", "across")
 

@@ -9,12 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
 from flint import arb
 
 from adagen.graph.nodes import Expression, Graph, Node
+from adagen.graph.rounded_once import multiply_add
 
 _TWO_OVER_PI = 0.63661977236758134308
 
@@ -89,6 +91,9 @@ class Algebra(Protocol):
 
     def larger(self, a: Any, b: Any) -> Any:
         """Return the larger number."""
+
+    def multiply_add(self, a: Any, b: Any, c: Any) -> Any:
+        """Return a b + c, rounded once."""
 
 
 class Floating:
@@ -173,6 +178,14 @@ class Floating:
         """Return the larger number."""
         return np.where(a > b, a, b)[()]
 
+    def multiply_add(self, a: Any, b: Any, c: Any) -> Any:
+        """Return a b + c, rounded once."""
+        return self._rounded_once(a, b, c)
+
+    @cached_property
+    def _rounded_once(self) -> Callable[[Any, Any, Any], Any]:
+        return multiply_add(self.scalar)
+
 
 class Balls:
     """Balls around midpoints of any length (python-flint's arb, at the context's precision)."""
@@ -216,6 +229,11 @@ class Balls:
     def larger(a: Any, b: Any) -> Any:
         """Return the larger number."""
         return a.max(b)
+
+    @staticmethod
+    def multiply_add(a: Any, b: Any, c: Any) -> Any:
+        """Return a ball around a b + c."""
+        return a * b + c
 
 
 DOUBLE, FLOAT, BALLS = Floating(np.float64), Floating(np.float32), Balls()
@@ -276,7 +294,7 @@ class Evaluation:
                 return values[node.args[0]][node.value]
             case "across":
                 return _across(values[node.args[0]], node.value)
-        return self._function(node.op, [values[k] for k in node.args])
+        return self._function(node, [values[k] for k in node.args])
 
     def _wide(self, node: Node) -> tuple[Any, ...]:
         """The values of all lanes."""
@@ -292,11 +310,14 @@ class Evaluation:
         lanes = zip(*(in_lanes(x, node.width) for x in args), strict=True)
         if node.op in _ARITHMETIC:
             return tuple(_ARITHMETIC[node.op](*own) for own in lanes)
-        return tuple(self._function(node.op, list(own)) for own in lanes)
+        return tuple(self._function(node, list(own)) for own in lanes)
 
-    def _function(self, op: str, args: list[Any]) -> Any:
+    def _function(self, node: Node, args: list[Any]) -> Any:
         algebra = self.algebra
-        match op:
+        match node.op:
+            case "multiply_add":
+                (a, b, c), (product, addend) = args, node.value
+                return algebra.multiply_add(a if product > 0 else -a, b, c if addend > 0 else -c)
             case "reciprocal":
                 return 1 / args[0]
             case "sqrt":
@@ -307,7 +328,7 @@ class Evaluation:
                 return algebra.tanh(args[0])
             case "max":
                 return algebra.larger(*args)
-        raise AssertionError(f"no meaning for {op}")
+        raise AssertionError(f"no meaning for {node.op}")
 
 
 def in_lanes(value: Any, width: int) -> tuple[Any, ...]:

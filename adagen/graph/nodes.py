@@ -26,6 +26,7 @@ Op = Literal[
     "add",
     "sub",
     "mul",
+    "multiply_add",
     "neg",
     "reciprocal",
     "sqrt",
@@ -56,10 +57,11 @@ class Node(NamedTuple):
 
     Attributes:
         op: what is done; "pack" makes one wide value of numbers, "lane" takes one of its numbers,
-            "across" adds up its first numbers.
+            "across" adds up its first numbers, "multiply_add" is a b + c, rounded once.
         args: indices of the operands; all are less than the node's own index.
         value: the rational number of a constant (a tuple where it is wide), the name of an input,
-            which number "lane" takes, how many "across" adds up, else None.
+            which number "lane" takes, how many "across" adds up, the signs of a b and of c in
+            "multiply_add" (not both -1), else None.
         ready: about how many cycles after the inputs the value is there (add and multiply: 4).
         mark: what ``Graph.mark`` was when it was made: the step it belongs to.
         width: how many numbers it holds, one for each lane.
@@ -243,6 +245,33 @@ class Graph:
         if self._negated[k] >= 0:
             return self.neg(self.mul(a, Expression(self, self._negated[k])))
         return self._pair("mul", (i, k) if i < k else (k, i))
+
+    def multiply_add(self, a: Expression, b: Expression, c: Expression) -> Expression:
+        """Return a b + c, rounded once; a product or a sum where that is one of its operations."""
+        x, y, z = (self._constants[k.index] for k in (a, b, c))
+        if x is not None and y is not None and z is not None:
+            known = lanewise(lambda a, b: a * b, x, y)
+            return self.constant(lanewise(lambda a, b: a + b, known, z))
+        (a, minus), (b, also) = self._with_sign(a), self._with_sign(b)
+        if self._zero in (a.index, b.index):
+            return c
+        if c.index == self._zero or self._one in (a.index, b.index):
+            product = self.mul(a, b)
+            return self.add(product, c) if minus == also else self.sub(c, product)
+        i, k = (a.index, b.index) if a.index < b.index else (b.index, a.index)
+        rest = self._negated[c.index]
+        if minus == also:
+            args, signs = ((i, k, c.index), (1, 1)) if rest < 0 else ((i, k, rest), (1, -1))
+            return self._node("multiply_add", args, signs)
+        if rest < 0:
+            return self._node("multiply_add", (i, k, c.index), (-1, 1))
+        return self.neg(self._node("multiply_add", (i, k, rest), (1, 1)))
+
+    def _with_sign(self, a: Expression) -> tuple[Expression, bool]:
+        """A value without its sign where that is written, and whether it is."""
+        if a.index in self._minus or self._negated[a.index] >= 0:
+            return self.neg(a), True
+        return a, False
 
     def neg(self, a: Expression) -> Expression:
         """Return -a."""

@@ -9,6 +9,7 @@ import numpy as np
 from flint import fmpq
 
 from adagen.graph.nodes import Expression, Graph
+from adagen.graph.rounded_once import Scalar, nearest
 
 
 class RoundedGraph(Graph):
@@ -23,17 +24,15 @@ class RoundedGraph(Graph):
 
     def __init__(self, scalar: str) -> None:
         super().__init__()
-        self.number = np.float32 if scalar == "float" else np.float64
+        self.number: Scalar = np.float32 if scalar == "float" else np.float64
 
     def _constant(self, lanes: tuple[Any, ...]) -> Expression:
         return super()._constant(tuple(self._rounded(x) for x in lanes))
 
     def _rounded(self, value: Any) -> Any:
         """A rational number as one of the scalar; as it is where that has no such number."""
-        p, q = int(value.p), int(value.q)
         try:
-            with np.errstate(over="ignore"):
-                rounded = float(self.number(p / q))
+            rounded = nearest(int(value.p), int(value.q), self.number)
         except OverflowError:
             return value
         return fmpq(*rounded.as_integer_ratio()) if math.isfinite(rounded) else value

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common.hpp"
+#include "multiply_add.hpp"
 #include "sizes.hpp"
 
 namespace {
@@ -32,6 +33,9 @@ namespace {
   if (above * below - one != 0)
     return "this solver is reproducible, and was compiled to fuse products and sums: compile it "
            "with -ffp-contract=off";
+  if (fused(above * (step / 2), below, above) != above)  // next to the middle of two numbers
+    return "this solver is reproducible, and the C library's fma rounds twice: compile it for a "
+           "processor that has fma as an instruction";
   if ((large + one) - large != 0)
     return "this solver is reproducible, and was compiled to reorder sums: compile it without "
            "-ffast-math and -fassociative-math";

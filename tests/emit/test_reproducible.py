@@ -14,6 +14,8 @@ import pytest
 from flint import arb, ctx
 
 from adagen.atomic_files import write_files
+from adagen.build import build_executable
+from adagen.build.toolchain import STANDARD
 from adagen.emit import emit, stem_of
 from adagen.emit.runtime import joined
 from adagen.emit.shapes import MOST_FREEDOMS_IN_BATCHES
@@ -115,19 +117,71 @@ def test_lanes_processes_and_processors(builder: Builder, tmp_path: Path) -> Non
         assert answer(other, shares, CLANG_FLAGS[-1], model, tmp_path) == expected
 
 
-def test_no_product_is_fused(builder: Builder, tmp_path: Path) -> None:
+@pytest.mark.slow
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_a_processor_without_fused_operations(
+    scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    """Baseline programs ask for them when they are loaded, and call the C library if need be."""
+    emulator = shutil.which("qemu-x86_64")
+    if emulator is None:
+        pytest.skip("qemu-x86_64 is not installed: see docs/how_to/building.md")
+    model = affected(limbs(4, REVOLUTE, REVOLUTE, trunk=1, beside=0))
+    plan, flags = reproducible_plan(model, scalar=scalar), ("-O2", "-march=x86-64")
+    old = (*STANDARD, *flags)
+    toolchain = replace(builder.toolchain, flags=old, program_flags=old)
+    given, result = tmp_path / "states.json", tmp_path / "old.json"
+    for batch in (0, 1):
+        expected = answer(builder, plan, flags, model, tmp_path, batch=batch)
+        text = text_of(plan, batch=batch)
+        program = build_executable(text, stem_of(plan, batch=batch), toolchain, builder.folder)
+        command = [emulator, "-cpu", "Nehalem", str(program)]
+        subprocess.run([*command, "--states", str(given), "--result", str(result)], check=True)
+        assert result.read_text(encoding="utf-8") == expected
+
+
+_FUSED = re.compile(r"\bvfn?m(?:add|sub)\w*")
+_CALLED = re.compile(r"\bfused(?:_less|_from)?\(")
+
+
+def assembly(builder: Builder, text: str, folder: Path, *flags: str) -> str:
+    """Return what a compiler makes of a solver's text, without the program around it."""
+    source, made = folder / "solver.cpp", folder / "solver.s"
+    source.write_text(text)
+    command = builder.toolchain.compile_command(source, made, False)
+    subprocess.run([*command, "-S", *flags, "-DADAGEN_NO_MAIN"], check=True)
+    return made.read_text()
+
+
+def test_no_other_product_is_fused(builder: Builder, tmp_path: Path) -> None:
     """g++ 12 makes vfmaddsub of neighbours, whatever -ffp-contract says; sines fuse by default."""
     model, rng = human_figure(), np.random.default_rng(4)
     plan = replace(reproducible_plan(model, distributed(model, 4, rng)), channel=THREADS)
-    source, made = tmp_path / "solver.cpp", tmp_path / "solver.s"
-    command = builder.toolchain.compile_command(source, made, False)
-    fused = []
-    for each in (plan, replace(plan, reproducible=False)):
-        source.write_text(joined(text_of(each, shape="unrolled")))
-        flags = ("-S", "-O3", "-march=x86-64-v3", "-DADAGEN_NO_MAIN")
-        subprocess.run([*command, *flags], check=True)
-        fused.append(len(re.findall(r"\bvfn?m(?:add|sub)", made.read_text())))
+    flags, fused = ("-O3", "-march=x86-64-v3"), []
+    text = joined(text_of(plan))
+    apart = text.replace("__builtin_fma(a, b, c)", "(a * b + c)")  # rounded twice
+    apart = re.sub(r"#if defined\((__FMA__|__x86_64__)\)", "#if 0  // \\1", apart)
+    apart = apart.replace("#elif defined(__FMA__)", "#elif 0")
+    for each in (apart, joined(text_of(replace(plan, reproducible=False), shape="unrolled"))):
+        fused.append(len(_FUSED.findall(assembly(builder, each, tmp_path, *flags))))
     assert fused[0] == 0 < fused[1]
+
+
+@pytest.mark.parametrize(
+    ("march", "registers"), [("x86-64-v3", 2), pytest.param("x86-64-v4", 1, marks=pytest.mark.slow)]
+)
+def test_lanes_are_fused_at_once(
+    march: str, registers: int, builder: Builder, tmp_path: Path
+) -> None:
+    """One instruction for each register, and nothing is called."""
+    model = affected(limbs(4, REVOLUTE, REVOLUTE, trunk=1, beside=0))
+    text = text_of(reproducible_plan(model), batch=1)
+    calls = len(_CALLED.findall(text))
+    made = assembly(builder, joined(text), tmp_path, "-O2", f"-march={march}")
+    packed = [word for word in _FUSED.findall(made) if word.endswith("pd")]
+    assert calls > 100
+    assert calls * registers * 0.98 <= len(packed) <= calls * registers
+    assert not re.search(r"(?:call|jmp)\s+fmaf?\b", made)
 
 
 @pytest.mark.parametrize(
@@ -165,6 +219,11 @@ def test_other_arithmetic_is_refused_where_a_solver_is_opened(
         done = subprocess.run([fused], capture_output=True, text=True, check=False)
         assert done.returncode != 0
         assert "compiled to fuse products and sums" in done.stderr
+    twice = joined(text_of(plan)).replace("__builtin_fma(a, b, c)", "(a * b + c)")
+    program = builder.compile(twice, "chain", ("-O2", "-march=x86-64-v3"))
+    done = subprocess.run([program], capture_output=True, text=True, check=False)
+    assert done.returncode != 0
+    assert "the C library's fma rounds twice" in done.stderr
     library = tmp_path / "solver.so"
     source = tmp_path / "solver.cpp"
     source.write_text(joined(text_of(plan)))

@@ -12,14 +12,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.executor import interpret
+from adagen.executor import interpret, simulate
 from adagen.graph import DOUBLE, FLOAT
-from adagen.model import Model
+from adagen.model import REVOLUTE, SPHERICAL, Model
 from adagen.plan import Plan
 from adagen.plan.steps import FusedJoin
 from adagen.states import States, random_states
 from tests.emitted import EXACT, ROUNDING, Builder, forward_error, truth_of
 from tests.executor.plans import ADA, CASES, Case, anything, kinds_of
+from tests.executor.test_lane_bits import limbs
+from tests.gathered import reproducible_plan
 from tests.models import three_axis_chain
 from tests.slow import spread
 
@@ -55,6 +57,17 @@ def test_a_straight_line_is_the_executor(
     assert case.has in kinds_of(plan)
     states = random_states(case.model, 3, seed=4)
     require_same_bits(plan, states, case.model, builder, tmp_path)
+
+
+@pytest.mark.parametrize("scalar", spread(["double", "float"], 1))
+def test_a_reproducible_line_is_the_executor(scalar: str, builder: Builder, tmp_path: Path) -> None:
+    """Products and sums that are rounded once among its operations."""
+    model = limbs(4, REVOLUTE, SPHERICAL, trunk=1, beside=0)
+    plan = reproducible_plan(model, scalar=scalar)
+    (line,) = simulate(plan)
+    operations = {line.machine.graph.nodes[k].op for k in line.alive}
+    assert {"multiply_add", "mul", "add"} <= operations
+    require_same_bits(plan, random_states(model, 5, seed=4), model, builder, tmp_path)
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -73,7 +73,8 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         ],
         "functions": ["tanh_own.hpp" if own else "tanh_library.hpp", "unrolled_functions.hpp"]
         * functions
-        + ["unrolled_lane_functions.hpp"] * (functions and symbols.batch),
+        + ["unrolled_lane_functions.hpp"] * (functions and symbols.batch)
+        + ["multiply_add_lanes.hpp"] * (own and bool(symbols.batch or wide)),
         "unrolled": texts[: len(plan.processes)],
         "recovery": texts[len(plan.processes) :],
         "places": max((row.arrangement.places for row in rows), default=0),

@@ -56,16 +56,29 @@ def in_functions(
         graph: what they belong to.
         process: whose steps the marks of the nodes number.
         values: indices of what is to be computed; the rest of the graph is there before.
-        longest: values of one function.
+        longest: values of one function; a product and a sum that are rounded once are two.
         pace: of a single state; None where many are solved at once, which keeps a processor busy
             whatever waits for what.
     """
     order = by_step(graph, process, values)
     # Functions are parted by step: what one computes long before it is used goes through memory.
-    functions = [order[k : k + longest] for k in range(0, len(order), longest)]
+    functions = _cut(graph, order, longest)
     if pace is None or (len(functions) > 1 and not _waiting_counts(graph, values, pace)):
         return functions
     return [by_waits(graph, function, pace) for function in functions]
+
+
+def _cut(graph: Graph, order: Sequence[int], longest: int) -> list[list[int]]:
+    """Values cut into functions of limited length."""
+    functions: list[list[int]] = []
+    room = 0
+    for k in order:
+        if room <= 0:
+            functions.append([])
+            room = longest
+        functions[-1].append(k)
+        room -= 2 if graph.nodes[k].op == "multiply_add" else 1
+    return functions
 
 
 def _waiting_counts(graph: Graph, values: Set[int], pace: Pace) -> bool:

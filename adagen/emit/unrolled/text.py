@@ -14,6 +14,8 @@ _LARGEST = {"double": 1.7976931348623157e308, "float": 3.4028234663852886e38}
 _LEAST = {"double": 5e-324, "float": 1.401298464324817e-45}
 FUNCTIONS = {"sqrt": "sqrt_of", "sign": "sign_of", "tanh": "tanh_of", "max": "max_of"}
 """Operations that are functions of the runtime, and their names there."""
+MULTIPLY_ADD = {(1, 1): "fused", (1, -1): "fused_less", (-1, 1): "fused_from"}
+"""Functions of the runtime for products and sums that are rounded once, by their signs."""
 TYPES = {1: "Real", 2: "Two", 4: "Four", 8: "Eight"}
 """Names of the types of single states' values, by width."""
 
@@ -89,7 +91,7 @@ class Text:
                 pieces[k] = self._operand(node.args[k], waiting)
             for k in node.args:
                 waiting.pop(k, None)
-            piece = _moved(node, pieces) if node.op in _MOVES else _combined(node.op, pieces)
+            piece = _moved(node, pieces) if node.op in _MOVES else _combined(node, pieces)
             if self.only_user.get(index) in here:
                 waiting[index] = piece
             else:
@@ -105,7 +107,7 @@ class Text:
         for k in node.args:
             binding = _ATOM if self.graph.nodes[k].op in ("input", "constant") else _SUM
             pieces.append(_Piece(self.inlined(k), binding, 1))
-        return _combined(node.op, pieces).text
+        return _combined(node, pieces).text
 
     def _operand(self, index: int, waiting: Mapping[int, _Piece]) -> _Piece:
         if index in waiting:
@@ -127,9 +129,12 @@ def _moved(node: Node, pieces: Sequence[_Piece]) -> _Piece:
     return _Piece(text, _ATOM, 1)
 
 
-def _combined(op: str, pieces: Sequence[_Piece]) -> _Piece:
+def _combined(node: Node, pieces: Sequence[_Piece]) -> _Piece:
     """An operation on pieces, parenthesised so that it is done in the order of the graph."""
-    count = sum(piece.operands for piece in pieces)
+    op, count = node.op, sum(piece.operands for piece in pieces)
+    if op == "multiply_add":
+        name = MULTIPLY_ADD[node.value]
+        return _Piece(f"{name}({', '.join(p.text for p in pieces)})", _ATOM, count)
     if op == "neg":
         return _Piece(f"-{_within(pieces[0], _PRODUCT)}", _SIGN, count)
     if op == "reciprocal":
