@@ -27,7 +27,7 @@ examples:
   adagen schedule robot.urdf --procs 4                    a summary for people
   adagen schedule robot.urdf --procs 4 --svg tree.svg     a drawing
   adagen schedule robot.urdf --procs 4 --json             the tree, for programs
-  adagen schedule robot.urdf --procs 4 --program          what runs, for programs
+  adagen schedule robot.urdf --procs 4 --program          what runs, as JSON
   adagen schedule robot.urdf --procs 4 --profile paper --tie lex    the paper's
   adagen schedule robot.urdf --hosts hosts            predict for several hosts"""
 
