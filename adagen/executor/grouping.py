@@ -6,13 +6,14 @@ from collections.abc import Callable, Container, Iterable, Sequence
 from functools import lru_cache
 
 from adagen.executor.counted import counted, may_share
+from adagen.executor.lane_frames import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
 from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.stretches import Stretch, stretches
 from adagen.plan import Plan
 from adagen.plan.arms import arms_of, without_unlike
 from adagen.plan.closure_steps import closures_in
-from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, nearly_fewest, simd_groups
+from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
 from adagen.plan.similar_closures import limbs_of, similar_closures
 from adagen.plan.types import Process
 from adagen.schedule import step_costs
@@ -20,7 +21,7 @@ from adagen.schedule.costs import StepCosts
 
 
 def grouping_of(plan: Plan, counts: Iterable[int] = COUNTS) -> Grouping:
-    """Return limbs that can share lanes: as many as possible.
+    """Return limbs that can share lanes: as many as possible, the most similar ones.
 
     Args:
         plan: the plan.
@@ -33,6 +34,7 @@ def grouping_of(plan: Plan, counts: Iterable[int] = COUNTS) -> Grouping:
 
 def _alike(plan: Plan, process: Process, counts: Sequence[int]) -> tuple[Limbs, ...]:
     found = simd_groups(plan, process, spared, counts)
+    found = more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
     limbs = fit_for_lanes(plan, process, found)
     groups = similar_closures(plan, process.steps, counts)
     closed = tuple(one for group in groups for one in limbs_of(plan, group))

@@ -93,6 +93,11 @@ def _without_x(rotation: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ..
     return ((*first[:2], 0.0), *others)
 
 
+def unlike(plan: Plan, limbs: Limbs) -> int:
+    """Return how much the constants of limbs differ in structure after the best rotations."""
+    return sum(cost for cost, _ in _quarters(plan, limbs))
+
+
 def _quarters(plan: Plan, limbs: Limbs) -> list[tuple[int, dict[int, int]]]:
     """The quarter turns of each limb's links, and the remaining differences from the model limb."""
     chains = list(zip(*limbs.rows, strict=True))

@@ -171,6 +171,54 @@ def _groups(
     return found
 
 
+def more_alike(
+    plan: Plan, process: Process, found: Iterable[Limbs], unlike: Callable[[Limbs], float]
+) -> list[Limbs]:
+    """Return limbs, some exchanged for unused chains if that makes them more similar.
+
+    Args:
+        plan: of form "segment".
+        process: one of its processes.
+        found: the limbs that it takes side by side.
+        unlike: how unlike each other limbs are.
+    """
+    last, result = _last_beyond(plan.joints), list(found)
+    for pool in _chains(plan, process):
+        for k in range(len(result)):
+            while result[k].rows[-1][0] in {j for c in pool for j in c}:
+                others = result[:k] + result[k + 1 :]
+                offers = [
+                    offer
+                    for offer in _exchanged(plan.joints, pool, result, result[k], last)
+                    if unlike(offer) < unlike(result[k]) and _in_order([*others, offer], last)
+                ]
+                if not offers:
+                    break
+                result[k] = min(offers, key=unlike)
+    return result
+
+
+def _exchanged(
+    joints: Sequence[PlanJoint],
+    pool: Iterable[Sequence[int]],
+    found: Iterable[Limbs],
+    limbs: Limbs,
+    last: Sequence[int],
+) -> Iterator[Limbs]:
+    """Yield limbs with one of them exchanged for the end of an unused chain."""
+    taken = {j for each in found for j in each.members()}
+    own = list(zip(*limbs.rows, strict=True))
+    kinds = [joints[j].kind for j in own[0]]
+    for chain in pool:
+        end = tuple(chain[-len(kinds) :])
+        if [joints[j].kind for j in end] != kinds or not taken.isdisjoint(end):
+            continue
+        for k in range(len(own)):
+            rest = own[:k] + own[k + 1 :]
+            if not any(_one_beyond_other(end[0], other[0], last) for other in rest):
+                yield Limbs(tuple(zip(*sorted([*rest, end]), strict=True)))
+
+
 def _chains(plan: Plan, process: Process) -> list[list[list[int]]]:
     """All joints that fit, as longest chains; those that may share lanes."""
     fit = _fit(plan, process)
@@ -261,6 +309,15 @@ def _common(one: Sequence[str], other: Sequence[str]) -> int:
             break
         count += 1
     return count
+
+
+def _one_beyond_other(one: int, other: int, last: Sequence[int]) -> bool:
+    return _beyond(one, other, last) or _beyond(other, one, last)
+
+
+def _beyond(joint: int, other: int, last: Sequence[int]) -> bool:
+    """Whether a joint is another one or beyond it."""
+    return other <= joint <= last[other]
 
 
 def _in_order(all_limbs: Sequence[Limbs], last: Sequence[int]) -> bool:
