@@ -20,12 +20,19 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Receive, StartEmpty, StartLink, Step
 
 
+class WaitingLanesError(Exception):
+    """Lanes wait for a message together, and one of them is to be sent before it."""
+
+
 def copied(want: NeededValues, limbs: tuple[Limbs, ...]) -> Simulated:
     """Return a process after all its steps.
 
     Args:
         want: what it needs of the line.
         limbs: those of its limbs that share code, one in each lane.
+
+    Raises:
+        WaitingLanesError: they cannot.
     """
     return _Copy(want, limbs).simulated()
 
@@ -153,10 +160,17 @@ class _Copy:
             if message.source == self.want.process:
                 wanted = self.want.sends.get(message.target, {})
                 self.machine.sent[number] = [
-                    self.number(pair)
+                    self._told(pair)
                     for pair, sender in wanted.items()
                     if sender.link in message.inertias
                 ]
+
+    def _told(self, pair: Pair) -> Expression:
+        """A number that is sent: before anything is received."""
+        index = pair[0]
+        if index in self.lanes and pair not in self._single and index not in self._wide:
+            raise WaitingLanesError
+        return self.number(pair)
 
     def _receive(self, ends: list[int]) -> int:
         """Read all messages; return the index of the last one that is needed."""

@@ -17,7 +17,7 @@ from functools import lru_cache
 
 from adagen.executor.lanes import Grouping
 from adagen.executor.line import Line, Pair, line_of
-from adagen.executor.line_copies import copied
+from adagen.executor.line_copies import WaitingLanesError, copied
 from adagen.executor.needed_values import NeededValues, Sender
 from adagen.executor.run import Simulated
 from adagen.plan.edges import is_free_base
@@ -30,13 +30,19 @@ def own_limbs(plan: Plan) -> Grouping:
     """Return the limbs that each process of a reproducible plan may compute side by side.
 
     They are those of the line of one process, as far as they are the process's own; none where
-    joints that all processes compute are among them.
+    joints that all processes compute are among them, or where one lane is to be sent before a
+    message that another waits for.
     """
     core = _core(plan)
     limbs = line_of(serial_plan(plan)).machine.limbs
     if any(not core.isdisjoint(each.members()) for each in limbs):
         return tuple(() for _ in plan.processes)
-    return tuple(tuple(_own(limbs, frozenset(p.owns))) for p in plan.processes)
+    own = tuple(tuple(_own(limbs, frozenset(p.owns))) for p in plan.processes)
+    try:
+        shared_line(plan, own)
+    except WaitingLanesError:
+        return tuple(() for _ in plan.processes)
+    return own
 
 
 def _own(all_limbs: Iterable[Limbs], owns: frozenset[int]) -> Iterator[Limbs]:
