@@ -127,7 +127,8 @@ class Closures(Constraints):
         for each in columns:
             wide_unknown, column, point = each.passed(x)
             self.arm_lanes.add_columns(front, parents, wide_unknown, column, point)
-        rigid = is_rigid(self.state.plan, j, self.alone[step.closure].held)
+        held = {each for lane in self.lanes(step.closure) for each in lane.held}
+        rigid = all(is_rigid(self.state.plan, each, held) for each in self.state.rows.own(j))
         passed = {"IA": (x.rigid_inertia if rigid else x.inertia)(inertia)}
         passed["pA"] = columnwise(x.force, p)
         for name, value in passed.items():

@@ -256,7 +256,8 @@ class State(ProcessMemory):
     def accelerate(self, j: int, qdd: Array) -> None:
         """Store a joint's accelerations, shape (n, columns); with slaved joints they come later."""
         if self.plan.joints[j].prescribed:
-            qdd = self.column(self.given(j)) if self.left is None else self.zeros(*qdd.shape)
+            given = self.given(j)  # which corrections leave as it is
+            qdd = self.column(given) if self.left is None else self.zeros(len(given), self.columns)
         self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))
         if self.columns == 1:
             self.memory["accelerated", j] = qdd[:, 0]

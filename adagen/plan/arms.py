@@ -7,7 +7,7 @@ these two links. Numbers may differ.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
@@ -154,8 +154,30 @@ def without_unlike(plan: Plan, steps: Sequence[Step], all_limbs: Iterable[Limbs]
     """Return limbs without those that contain joints of dissimilar closures.
 
     Rows of what the ground holds are seen from it, so that the way there is not in lanes either.
+    Closures that were in lanes there no longer are, and are left out in turn.
     """
-    limbs, closures = tuple(all_limbs), closures_in(steps)
+    closures, limbs = closures_in(steps), list(all_limbs)
+    while True:
+        apart = _joints_apart(plan, steps, closures, limbs)
+        found: list[Limbs] = []
+        for each in limbs:
+            rows = [row for row in each.rows if apart.isdisjoint(row)]
+            if len(rows) == len(each.rows):
+                found.append(each)
+            else:  # what is left need no longer be one chain
+                found += [Limbs((row,)) for row in rows]
+        if found == limbs:
+            return found
+        limbs = found
+
+
+def _joints_apart(
+    plan: Plan,
+    steps: Sequence[Step],
+    closures: Mapping[int, ClosureSteps],
+    limbs: Sequence[Limbs],
+) -> set[int]:
+    """Joints of closures that are in no lanes, and what they are seen by."""
     together = side_by_side(plan, steps, limbs)
     lanes = {lane.number for row in together.values() for lane in row}
     arms = chain.from_iterable(arms_among(plan, closures.values(), limbs).values())
@@ -164,12 +186,4 @@ def without_unlike(plan: Plan, steps: Sequence[Step], all_limbs: Iterable[Limbs]
     for one in closures.values():
         if one.number not in lanes:
             apart.update(plan.paths(one.path) if one.eliminate.grounded else one.path)
-    apart -= in_lanes
-    found: list[Limbs] = []
-    for each in limbs:
-        rows = [row for row in each.rows if apart.isdisjoint(row)]
-        if len(rows) == len(each.rows):
-            found.append(each)
-        else:  # what is left need no longer be one chain
-            found += [Limbs((row,)) for row in rows]
-    return found
+    return apart - in_lanes

@@ -116,8 +116,13 @@ def _within(
     k: int,
     joints: Sequence[int],
 ) -> LoopGroup | None:
-    """The loops connected with a loop beyond the nearest of some joints; None if not closed."""
+    """The loops connected with a loop beyond the nearest of some joints; None if not closed.
+
+    Rows of all of them depend on joints beyond the top, and on its acceleration: a loop between two
+    limbs that are each on the ground depends on the joints of both.
+    """
     top = model.joints[joints[-1]].parent
+    inwards = set(path_to_ground(model, top))
     members, path = {k}, set(joints)
     while True:
         touched = [m for m in left if m not in members and tied[m][1] & path]
@@ -125,7 +130,7 @@ def _within(
             break
         for m in touched:
             beyond = {j for j in tied[m][1] if top in _links_above(model, j)}
-            if tied[m][0] and beyond != tied[m][1]:
+            if not tied[m][1] - beyond <= (set() if tied[m][0] else inwards):
                 return None
             members.add(m)
             path |= beyond

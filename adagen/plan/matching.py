@@ -211,6 +211,7 @@ def _structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
     ]
     how = one.eliminate
     return (
+        top > 0,  # nothing is handed on to the ground
         tuple((nature(joints[j]), link(joints[j].parent), one.held.get(j)) for j in one.path),
         tuple(loops),
         signature_of(rod_halves_in(plan, one), one),

@@ -38,13 +38,20 @@ def inward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit
     Args:
         sweep: the joints, in their plan's order.
         limbs: those to be computed side by side; ones that are not in the sweep are left out.
+
+    Raises:
+        ValueError: limbs wait for each other.
     """
     links = tuple([(ends.far, ends.near) for ends in sweep.values()])
     return list(_ordered(tuple(sweep), links, tuple(limbs)))
 
 
 def outward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit]:
-    """Return joints of an outward sweep as units, in a possible order."""
+    """Return joints of an outward sweep as units, in a possible order.
+
+    Raises:
+        ValueError: limbs wait for each other.
+    """
     links = tuple([(ends.near, ends.far) for ends in sweep.values()])
     return list(_ordered(tuple(sweep), links, tuple(limbs)))
 
@@ -59,6 +66,9 @@ def _ordered(
         sweep: the joints.
         ends: of each joint the link that must be complete before, and the one that it adds to.
         limbs: those to be computed side by side, if they are in the sweep.
+
+    Raises:
+        ValueError: limbs wait for each other.
     """
     links = dict(zip(sweep, ends, strict=True))
     open_ = Counter([link for _, link in ends])  # how many joints add to a link
@@ -82,7 +92,8 @@ def _ordered(
                 waiting[place] -= 1
                 if not waiting[place]:
                     heappush(ready, place)
-    assert len(found) == len(units), "limbs that wait for each other"
+    if len(found) < len(units):
+        raise ValueError("limbs wait for each other")
     return tuple(found)
 
 
