@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import accumulate
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.emit.unrolled.order import AHEAD, Pace, by_step, by_waits, in_functions
+from adagen.emit.unrolled.order import (
+    AHEAD,
+    LIMIT,
+    LIMIT_OF_LONG,
+    Pace,
+    by_step,
+    by_waits,
+    in_functions,
+    limit_of_functions,
+)
 from adagen.executor import simulate
 from adagen.graph import Graph, live_nodes
 from adagen.plan import make_plan
@@ -121,6 +131,41 @@ def test_in_several_functions_waiting_has_to_count(cycle: float, waits: bool) ->
     assert (cuts != steps) == waits
     (alone,) = in_functions(graph, process, values, len(values), pace)
     assert alone == by_waits(graph, by_step(graph, process, values), pace)
+
+
+def test_functions_are_cut_where_the_fewest_values_are_alive() -> None:
+    """Of all divisions into functions that are long enough, none has fewer values alive at cuts."""
+    plan = plan_of(serial_chain(3), 1)
+    one = simulate(plan)[0]
+    graph, process = one.machine.graph, plan.processes[0]
+    live = live_nodes(graph, one.machine.roots())
+    values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
+    order = by_step(graph, process, values)
+    longest, least = 100, 60
+    found = in_functions(graph, process, values, longest, None)
+    assert [k for function in found for k in function] == order
+    assert all(least <= len(function) <= longest for function in found[:-1])
+    assert len(found[-1]) <= longest
+    turns = {k: turn for turn, k in enumerate(order)}
+    last = dict(turns)
+    for k in order:
+        for operand in graph.nodes[k].args:
+            if operand in turns:
+                last[operand] = max(last[operand], turns[k])
+    alive = [sum(turns[k] < place <= last[k] for k in order) for place in range(len(order) + 1)]
+    best = [0.0] + [float("inf")] * len(order)
+    for end in range(1, len(order) + 1):
+        shortest = least if end < len(order) else 1
+        for begin in range(max(0, end - longest), end - shortest + 1):
+            best[end] = min(best[end], best[begin] + alive[end])
+    ends = list(accumulate(map(len, found)))
+    assert sum(alive[end] for end in ends) == best[-1]
+    assert sum(alive[k] for k in range(longest, len(order), longest)) > best[-1]
+
+
+def test_long_lines_have_short_functions() -> None:
+    assert limit_of_functions(8000, single=True) == LIMIT
+    assert limit_of_functions(9000, single=True) == LIMIT_OF_LONG < LIMIT
 
 
 def order_of(order: Sequence[int], by_turn: Sequence[int]) -> list[int]:

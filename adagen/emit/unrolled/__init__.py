@@ -7,9 +7,8 @@ share code, one in each SIMD lane.
 
 from __future__ import annotations
 
-from adagen.emit.unrolled.emission import CHUNK, values
+from adagen.emit.unrolled.emission import values
 
 __all__ = [
-    "CHUNK",
     "values",
 ]

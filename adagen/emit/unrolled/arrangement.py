@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from adagen.emit.unrolled.order import Pace, in_functions
+from adagen.emit.unrolled.order import Pace, in_functions, limit_of_functions
 from adagen.executor import RECEIVED, SINGULAR, Check, Machine, Simulated
 from adagen.graph import Node, live_nodes
 from adagen.plan.stages import Stage, stages
@@ -69,7 +69,7 @@ def arranged(
     Args:
         process: the process.
         simulated: it, after all steps.
-        longest: values of one function.
+        longest: values of one function; 0 for the default.
         costs: by which a single state is put in order; None where many are solved at once.
     """
     machine, ends = simulated.machine, simulated.ends
@@ -80,6 +80,7 @@ def arranged(
     nodes = machine.graph.nodes
     alive = [k for k in simulated.alive if nodes[k].op != "constant" and not is_given(nodes[k])]
     pace = None if costs is None else Pace.of(simulated.operations, len(alive), costs)
+    longest = longest or limit_of_functions(len(alive), single=costs is not None)
     found = stages(process)
     for place, stage in enumerate([*found, None]):
         if stage is not None and stage.message is None:

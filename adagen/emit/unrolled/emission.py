@@ -31,10 +31,6 @@ from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import Process
 
-CHUNK, CHUNK_OF_BATCHES = 4000, 2000
-"""Values that one function computes, by default; of batches, wide ones, which take the nearest
-cache longer to hold."""
-
 _NAMES = re.compile(r"\bx(\d+)")
 _NAMED = ("reciprocal", "pack", "lane", "across")
 _ANGLES_AT_ONCE = 8  # as many are written as fill registers of 256 bits
@@ -48,7 +44,7 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         chunk: values that one function computes at most; by default what the program says, or as
             many as are best for one state or many.
     """
-    chunk = chunk or symbols.chunk or (CHUNK_OF_BATCHES if symbols.batch else CHUNK)
+    chunk = chunk or symbols.chunk
     plan = symbols.plan
     plans = plan.alternatives
     groupings = [symbols.program.slots.limbs, *_recovering(symbols, plans[1:])]

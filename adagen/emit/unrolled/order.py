@@ -11,9 +11,11 @@ values of one step may stay together within that distance.
 from __future__ import annotations
 
 import heapq
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
+from itertools import accumulate
+from math import inf
 
 from adagen.executor import work_of
 from adagen.graph import Graph, Operations
@@ -24,6 +26,13 @@ from adagen.schedule.costs import StepCosts
 _TOGETHER = 100  # values among which those of one step stand together
 AHEAD = 2000
 """Values that are looked at: with fewer, chains of few links wait; with more, too much is alive."""
+LIMIT, LIMIT_OF_BATCHES, LIMIT_OF_LONG = 4000, 2000, 1000
+"""Values that one function computes, by default: of a single state; of batches, wide ones, which
+take the nearest cache longer to hold; and of a long line."""
+_LONG = 8500
+"""Values beyond which the line of a single state is long: short functions have short stack frames,
+within reach of short displacements, and it fits a first instruction cache of 64 kB more often."""
+_LEAST = 0.6  # of its limit is what a function computes at least, but for the last one
 _MOST = 6500  # values of several functions, beyond which their instructions fit no near cache
 _WORTH = 0.5  # waiting, of their work: what is alive for long costs instructions, which they lack
 
@@ -68,17 +77,79 @@ def in_functions(
     return [by_waits(graph, function, pace) for function in functions]
 
 
+def limit_of_functions(values: int, *, single: bool) -> int:
+    """Return how many values one function computes, by default.
+
+    Args:
+        values: how many the process has.
+        single: whether a single state is solved.
+    """
+    if not single:
+        return LIMIT_OF_BATCHES
+    return LIMIT if values <= _LONG else LIMIT_OF_LONG
+
+
 def _cut(graph: Graph, order: Sequence[int], longest: int) -> list[list[int]]:
-    """Values cut into functions of limited length."""
+    """Values cut into functions of limited length, short ones where the fewest are alive."""
+    sizes = [2 if graph.nodes[k].op == "multiply_add" else 1 for k in order]
+    if longest <= LIMIT_OF_LONG:
+        return _cut_where_few(graph, order, longest, [0, *accumulate(sizes)])
     functions: list[list[int]] = []
     room = 0
-    for k in order:
+    for k, size in zip(order, sizes, strict=True):
         if room <= 0:
             functions.append([])
             room = longest
         functions[-1].append(k)
-        room -= 2 if graph.nodes[k].op == "multiply_add" else 1
+        room -= size
     return functions
+
+
+def _cut_where_few(
+    graph: Graph, order: Sequence[int], longest: int, ends: Sequence[int]
+) -> list[list[int]]:
+    """Values cut where the fewest are alive, since what is alive goes through memory.
+
+    Of all divisions into functions of at least ``_LEAST`` of their limit, but for the last one, it
+    is the one with the least sum of what is alive at cuts.
+    """
+    alive = _alive(graph, order)
+    least: list[float] = [0.0]  # by place: sum of what is alive at cuts up to there
+    before = [0]  # by place: that of the cut before it
+    window: deque[int] = deque()  # places of that cut, by ascending sums
+    coming = 0
+    for place in range(1, len(order) + 1):
+        shortest = _LEAST * longest if place < len(order) else 0
+        while coming < place and ends[place] - ends[coming] >= shortest:
+            while window and least[window[-1]] >= least[coming]:
+                window.pop()
+            window.append(coming)
+            coming += 1
+        while window and ends[place - 1] - ends[window[0]] >= longest:
+            window.popleft()
+        least.append(least[window[0]] + alive[place] if window else inf)
+        before.append(window[0] if window else 0)
+    functions: list[list[int]] = []
+    end = len(order)
+    while end > 0:
+        functions.append(list(order[before[end] : end]))
+        end = before[end]
+    return functions[::-1]
+
+
+def _alive(graph: Graph, order: Sequence[int]) -> list[int]:
+    """How many values a cut before each place of an order, or at its end, parts from a user."""
+    turns = {k: turn for turn, k in enumerate(order)}
+    last = list(range(len(order)))  # use of each
+    for turn, k in enumerate(order):
+        for operand in graph.nodes[k].args:
+            if operand in turns:
+                last[turns[operand]] = turn
+    change = [0] * (len(order) + 2)
+    for turn, use in enumerate(last):
+        change[turn + 1] += 1
+        change[use + 1] -= 1
+    return list(accumulate(change[:-1]))
 
 
 def _waiting_counts(graph: Graph, values: Set[int], pace: Pace) -> bool:
