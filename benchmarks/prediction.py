@@ -1,6 +1,6 @@
 """Predicted against measured times, over models and schedules, at P = 1, 2 and 4.
 
-    python -m benchmarks.prediction measure FILE.json [--profile NAME]
+    python -m benchmarks.prediction measure FILE.json [--profile NAME] [--priority N]
     python -m benchmarks.prediction report FILE.json [--profile NAME]
                                                       [--write docs/records/prediction.md]
 
@@ -32,8 +32,10 @@ from adagen.errors import AdagenError
 from adagen.executor.join_digits import predicted_growth
 from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_to_json
+from adagen.run.launch import cores
 from adagen.schedule import CostProfile, Schedule, Topology, load_profile
 from adagen.search import best_schedule, find_schedule
+from adagen.studies.bench.scale import at_priority
 from benchmarks.page import command, publish
 from benchmarks.prediction_report import report
 from benchmarks.real_robots import model_of
@@ -94,7 +96,11 @@ def plans(model: Model, profile: CostProfile) -> list[tuple[str, Plan]]:
 
 
 def measured(
-    model: Model, profile: CostProfile, toolchain: Toolchain, say: Callable[[str], None]
+    model: Model,
+    profile: CostProfile,
+    toolchain: Toolchain,
+    priority: int,
+    say: Callable[[str], None],
 ) -> list[dict[str, Any]]:
     """Build and time a robot's programs; return what is recorded of them."""
     labelled = plans(model, profile)
@@ -106,7 +112,10 @@ def measured(
     found: list[list[Measurement]] = [[] for _ in programs]
     for _ in range(ROUNDS):
         for program, times in zip(programs, found, strict=True):
-            times.append(program.measure(repeat=REPEAT))
+            # At a real-time priority processes without a core of their own would wait for ever.
+            fits = len(program.plan.processes) <= cores()
+            with at_priority(priority if fits else 0):
+                times.append(program.measure(repeat=REPEAT))
     return [
         {
             "model": model.name,
@@ -119,7 +128,7 @@ def measured(
     ]
 
 
-def measure(path: Path, profile: CostProfile) -> None:
+def measure(path: Path, profile: CostProfile, priority: int) -> None:
     """Build and time all, keeping the file up to date robot by robot."""
     toolchain = find_toolchain()
     rows: list[dict[str, Any]] = json.loads(path.read_text()) if path.exists() else []
@@ -132,7 +141,7 @@ def measure(path: Path, profile: CostProfile) -> None:
         def say(what: str, place: str = f"{k + 1} of {len(every)}: {model.name}") -> None:
             note(f"{time.monotonic() - start:4.0f} s  robot {place}: {what}")
 
-        rows += measured(model, profile, toolchain, say)
+        rows += measured(model, profile, toolchain, priority, say)
         path.write_text(json.dumps(rows))
 
 
@@ -142,10 +151,11 @@ def main() -> None:
     parser.add_argument("what", choices=("measure", "report"))
     parser.add_argument("file", type=Path)
     parser.add_argument("--profile", default="default", help="the machine's cost profile")
+    parser.add_argument("--priority", type=int, default=0, help="real-time, of what is timed")
     parser.add_argument("--machine", default="this one", help="what the report calls it")
     options = parser.parse_args()
     if options.what == "measure":
-        measure(options.file, load_profile(options.profile))
+        measure(options.file, load_profile(options.profile), options.priority)
         return
     publish(options, "prediction", report(options.file, options.profile, options.machine))
 
