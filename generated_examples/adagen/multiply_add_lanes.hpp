@@ -109,7 +109,7 @@ ADAGEN_NOINLINE T as_asked(const T& a, const T& b, const T& c) {
 
 // A single number stands for all lanes.
 template <class T>
-ADAGEN_INLINE const T& in_all_lanes(const T& x) {
+ADAGEN_INLINE T in_all_lanes(const T& x) {
   return x;
 }
 template <class T>
