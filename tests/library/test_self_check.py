@@ -8,7 +8,13 @@ from typing import Any
 import pytest
 
 import adagen
+from adagen.emit import program_of
 from adagen.executor.rows import Rows
+from adagen.library.self_check import check_answer
+from adagen.model import Model
+from tests.executor.test_closed_lane_branches import geared_pairs
+from tests.executor.test_closures import plan_of
+from tests.mechanisms import quadruped
 from tests.models import Array
 from tests.options import EXAMPLES
 
@@ -26,3 +32,20 @@ def test_a_sum_in_lanes_that_leaves_a_limb_out_is_found(monkeypatch: pytest.Monk
     monkeypatch.setattr(Rows, "_summed", first_alone)
     with pytest.raises(AssertionError, match="solves another robot"):
         adagen.compile(other, shape="unrolled")
+
+
+def checked(model: Model) -> None:
+    """Make a straight line of a robot with loops in lanes, and check its answer."""
+    plan = plan_of(model)
+    program = program_of(plan, "unrolled")
+    assert any(program.slots.limbs)
+    check_answer(model, plan, program)
+
+
+def test_a_limb_on_a_closed_loop_that_is_left_out_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As it was where it hangs on a link of another lane than the first."""
+    checked(geared_pairs(["trunk"] * 3, [("trunk", None), ("tail", "near1")]))
+    checked(quadruped())
+    monkeypatch.setattr("adagen.executor.closures.is_rigid", lambda *_: True)
+    with pytest.raises(AssertionError, match="solves another robot"):
+        checked(geared_pairs(["trunk"] * 3, [("trunk", None), ("tail", "near2")]))
