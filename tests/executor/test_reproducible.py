@@ -10,11 +10,16 @@ import pytest
 
 import adagen
 from adagen.errors import UsageError
-from adagen.executor import groupings, interpret, simulate, straight_line
+from adagen.executor import Simulated, groupings, interpret, simulate, straight_line
+from adagen.executor.line_copies import WaitingLanesError, copied
+from adagen.executor.needed_values import NeededValues
+from adagen.executor.reproducible import own_limbs
 from adagen.graph import DOUBLE, FLOAT, RoundedGraph
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.plan.simd_groups import Limbs
 from adagen.schedule import Topology, load_profile
+from adagen.schedule.tree import Gathered
 from adagen.search import named_schedule
 from adagen.states import random_states
 from tests.emit.limbs import alike
@@ -76,6 +81,51 @@ def test_what_is_the_same_is_true(seed: int) -> None:
     model = any_robot(seed)
     truth = truth_of(model, random_states(model, 2, seed=4))
     assert forward_error(answers(reproducible_plan(model), model), truth) < ROUNDING["double"]
+
+
+def turned_star(folder: Path) -> Model:
+    """Return a hub that floats, with 16 arms of two hinges that differ by how they are turned."""
+    hub = '<mass value="5"/><inertia ixx=".1" ixy="0" ixz="0" iyy=".1" iyz="0" izz=".1"/>'
+    arm = '<mass value=".3"/><inertia ixx="2e-4" ixy="0" ixz="0" iyy="6e-4" iyz="0" izz="6e-4"/>'
+    own = f'<inertial><origin xyz=".05 0 0"/>{arm}</inertial>'
+    parts = [f'<link name="hub"><inertial>{hub}</inertial></link>']
+    for a in range(16):
+        turn = a * np.pi / 8
+        x, y = f"{0.2 * np.cos(turn):.10f}", f"{0.2 * np.sin(turn):.10f}"
+        near, axis, place = "hub", "0 0 1", f'xyz="{x} {y} 0" rpy="0 0 {turn:.10f}"'
+        for name in (f"{a}_0", f"{a}_1"):
+            joint = f'<origin {place}/><parent link="{near}"/><child link="a{name}"/>'
+            parts += [
+                f'<link name="a{name}">{own}</link>',
+                f'<joint name="j{name}" type="continuous">{joint}<axis xyz="{axis}"/></joint>',
+            ]
+            near, axis, place = f"a{name}", "0 1 0", 'xyz=".1 0 0"'
+    file = folder / "star.urdf"
+    file.write_text(f'<robot name="star">{"".join(parts)}</robot>', encoding="utf-8")
+    return adagen.read(file, floating=True).model
+
+
+def test_lanes_that_would_wait_for_each_other_are_computed_one_by_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One lane is to be sent before a message that another waits for."""
+    waited = []
+
+    def watched(want: NeededValues, limbs: tuple[Limbs, ...]) -> Simulated:
+        try:
+            return copied(want, limbs)
+        except WaitingLanesError:
+            waited.append(want.process)
+            raise
+
+    monkeypatch.setattr("adagen.executor.reproducible.copied", watched)
+    model = turned_star(tmp_path)
+    owners = [None, *(p for p in map(int, "1212012012010120") for _ in range(2))]
+    plan = reproducible_plan(model, Gathered((1,), tuple(owners)))
+    assert own_limbs(plan) == ((), (), ())
+    assert waited
+    expected = answers(reproducible_plan(model), model)
+    np.testing.assert_array_equal(answers(plan, model, lanes=own_limbs(plan)), expected)
 
 
 def test_lanes_and_messages_are_looked_at_above() -> None:
