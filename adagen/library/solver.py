@@ -45,7 +45,8 @@ class Compiled:
         model: the robot.
         origin: where it comes from.
         request: the options, with the shape that a given schedule asks for.
-        schedule: which process computes what.
+        schedule: which process computes what; its makespan is by the price of its search, which for
+            one process is that of its steps one by one. ``predicted`` is of what is emitted.
         plan: what each process computes.
         program: what runs, operation by operation.
         timeline: the predicted course of an evaluation; None if the profile or a batch leaves it
