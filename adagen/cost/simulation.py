@@ -9,6 +9,7 @@ from adagen.cost.features import operation_features
 from adagen.cost.straight import straight_times
 from adagen.plan.stages import Stage, stages
 from adagen.plan.steps import Receive, Send
+from adagen.plan.turns import by_turns
 from adagen.program import Operation, Program
 from adagen.program.lower import LOOPS
 from adagen.program.names import PREPARED
@@ -137,7 +138,7 @@ class _Play:
         self.near: ChannelCosts = self.costs.channel(plan.channel)
         self.stages = [stages(process) for process in plan.processes]
         self.time = _times(self.program, self.costs)
-        self.at = [0] * len(plan.processes)  # next operation of each process
+        self.at = [0] * len(plan.processes)  # operation of each process that is played
         self.clock = [
             self._evaluation() / self.costs.speed(p) if process.operations else 0.0
             for p, process in enumerate(self.program.processes)
@@ -151,22 +152,16 @@ class _Play:
 
     def play(self) -> Timeline:
         """Run every process as far as possible, until all are done."""
-        left = True
-        while left:
-            moved = left = False
-            for p, process in enumerate(self.program.processes):
-                own = process.operations
-                while self.at[p] < len(own) and self._advance(p, own[self.at[p]]):
-                    self.at[p] += 1
-                    moved = True
-                left = left or self.at[p] < len(own)
-            assert moved or not left, "a program whose processes wait for each other"
+        lengths = {p: len(own.operations) for p, own in enumerate(self.program.processes)}
+        reached = by_turns(lengths, self._advance)
+        assert reached == lengths, "a program whose processes wait for each other"
         order = sorted(self.intervals, key=lambda i: (i.process, i.start, i.end))
         return Timeline(tuple(order), tuple(self.exchanges), max(self.clock), "predicted")
 
-    def _advance(self, p: int, operation: Operation) -> bool:
+    def _advance(self, p: int, place: int) -> bool:
         """Run an operation of a process; return whether that is possible now."""
-        start = self.clock[p]
+        start, self.at[p] = self.clock[p], place
+        operation = self.program.processes[p].operations[place]
         stage = self.stages[p][operation.stage]
         match operation.steps:
             case (Send() as step,):
@@ -177,7 +172,7 @@ class _Play:
                     return False
                 self._receive(p, stage, step)
             case _:
-                time = self.time(p, self.at[p], operation) / self.costs.speed(p)
+                time = self.time(p, place, operation) / self.costs.speed(p)
                 self._note(p, stage, start, start + time)
         return True
 

@@ -15,6 +15,7 @@ from adagen.executor.state import Refining
 from adagen.graph import Operations, count_operations, uses_of
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Step
+from adagen.plan.turns import by_turns
 from adagen.plan.types import Plan
 
 
@@ -218,20 +219,17 @@ def _after_all_steps(plan: Plan, machines: Mapping[int, Machine]) -> dict[int, S
     orders = {
         p: steps_in_order(plan, plan.processes[p], machine.limbs) for p, machine in machines.items()
     }
-    done = dict.fromkeys(machines, 0)
     ends = {p: [0] * len(own) for p, own in steps.items()}
-    moved = True
-    while moved:
-        moved = False
-        for p, machine in machines.items():
-            while done[p] < len(orders[p]):
-                place = orders[p][done[p]]
-                machine.graph.mark = place
-                if not _done(machine, steps[p][place]):
-                    break
-                ends[p][place] = len(machine.graph.nodes)
-                done[p] += 1
-                moved = True
+
+    def advance(p: int, k: int) -> bool:
+        machine, place = machines[p], orders[p][k]
+        machine.graph.mark = place
+        moved = _done(machine, steps[p][place])
+        if moved:
+            ends[p][place] = len(machine.graph.nodes)
+        return moved
+
+    done = by_turns({p: len(order) for p, order in orders.items()}, advance)
     for p, order in orders.items():
         if done[p] < len(order):
             raise PlanError(f"process {p} waits for ever at {steps[p][order[done[p]]]}")

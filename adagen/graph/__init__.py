@@ -5,6 +5,7 @@ from __future__ import annotations
 from adagen.graph.block_triangular import Regular, solved_by_blocks
 from adagen.graph.count import Operations, count_operations, live_nodes, uses_of
 from adagen.graph.evaluate import BALLS, DOUBLE, FLOAT, Algebra, Evaluation
+from adagen.graph.expressions import Expression, Graph
 from adagen.graph.fused import with_fused
 from adagen.graph.linear import (
     Factors,
@@ -18,7 +19,7 @@ from adagen.graph.linear import (
     solved_by_reflections,
     total,
 )
-from adagen.graph.nodes import Expression, Graph, Node
+from adagen.graph.nodes import Node
 from adagen.graph.numbers import Number, Numbers
 from adagen.graph.rounded import RoundedGraph
 

@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.graph.expressions import Expression
 from adagen.graph.linear import cross, dot, solved_by_reflections, total
-from adagen.graph.nodes import Expression
 
 Array = NDArray[Any]
 MOST = 3

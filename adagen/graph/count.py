@@ -6,7 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from adagen.graph.nodes import Expression, Graph, Node
+from adagen.graph.expressions import Expression, Graph
+from adagen.graph.nodes import Node
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,8 @@ from typing import Any, Protocol
 import numpy as np
 from flint import arb
 
-from adagen.graph.nodes import Expression, Graph, Node
+from adagen.graph.expressions import Expression, Graph
+from adagen.graph.nodes import Node
 from adagen.graph.rounded_once import multiply_add
 
 _TWO_OVER_PI = 0.63661977236758134308

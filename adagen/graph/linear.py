@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.graph.nodes import Expression
+from adagen.graph.expressions import Expression
 
 Array = NDArray[Any]
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from flint import fmpq
 
-from adagen.graph.nodes import Expression, Graph
+from adagen.graph.expressions import Expression, Graph
 from adagen.graph.rounded_once import Scalar, nearest
 
 

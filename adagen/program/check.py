@@ -29,6 +29,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
+from adagen.plan.turns import by_turns
 from adagen.plan.types import ENERGIES, Plan
 from adagen.program.effects import Effects, Place, added_by, contents, effects, joined_runs
 from adagen.program.message_reuse import overwritten
@@ -79,14 +80,8 @@ def _check_run(
     received: set[int] = set()
     runs = joined_runs(plan)
     memories = [_Memory(plan, p, runs, placed) for p in range(len(operations))]
-    at = [0] * len(operations)
-    moved = True
-    while moved:
-        moved = False
-        for p, own in enumerate(operations):
-            while at[p] < len(own) and memories[p].run(own[at[p]], mail, received):
-                at[p] += 1
-                moved = True
+    lengths = dict(enumerate(map(len, operations)))
+    at = by_turns(lengths, lambda p, k: memories[p].run(operations[p][k], mail, received))
     for p, own in enumerate(operations):
         if at[p] < len(own):
             raise ProgramError(f"process {p} waits for ever at {own[at[p]].does}")

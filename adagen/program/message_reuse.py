@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from adagen.plan.steps import Receive, Send
+from adagen.plan.turns import by_turns
 from adagen.plan.types import Message
 from adagen.program.types import Operation
 
@@ -60,12 +61,5 @@ def overwritten(
         return True
 
     ahead = [[(n, step) for n in range(SLOTS + 1) for step in steps] for steps in exchanges]
-    at = [0] * len(ahead)
-    moved = True
-    while moved:
-        moved = False
-        for p, steps in enumerate(ahead):
-            while at[p] < len(steps) and is_done(p, *steps[at[p]]):
-                at[p] += 1
-                moved = True
+    by_turns(dict(enumerate(map(len, ahead))), lambda p, k: is_done(p, *ahead[p][k]))
     return sorted(found)
