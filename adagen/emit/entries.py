@@ -40,6 +40,4 @@ def given_entries(symbols: Symbols, process: Process) -> list[int]:
 
 def read_joints(symbols: Symbols, process: Process) -> list[int]:
     """Return the joints whose q and v a process reads: instead of a slaved one its source."""
-    joints = symbols.plan.joints
-    mimics = ((j, joints[j].mimic) for j in process.reads)
-    return sorted({j if mimic is None else mimic[0] for j, mimic in mimics})
+    return sorted(set(map(symbols.plan.source_of, process.reads)))

@@ -10,9 +10,10 @@ from adagen.emit.embedded import embedded_values
 from adagen.emit.head import algorithm, frames, method, program_lines
 from adagen.emit.includes import needs_eigen, umbrellas
 from adagen.emit.interface import FAILURES
+from adagen.emit.messages import describe_message, message_size
 from adagen.emit.model import model_values
 from adagen.emit.names import prefix_of, quoted
-from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
+from adagen.emit.processes import process_rows, table_sizes
 from adagen.emit.refine import refinement_messages
 from adagen.emit.runtime import version_number
 from adagen.emit.settings import description, settings

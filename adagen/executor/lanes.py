@@ -79,7 +79,7 @@ def fit_for_lanes(plan: Plan, process: Process, all_limbs: Iterable[Limbs]) -> t
     side by side or none (adagen/plan/similar_closures.py).
     """
     closed = {j for one in closures_in(process.steps).values() for j in one.path}
-    sources = {joint.mimic[0] for joint in plan.joints if joint.mimic is not None}
+    sources = {source for _, source, _ in plan.following}
     found = []
     for limbs in all_limbs:
         rows: list[tuple[int, ...]] = []

@@ -274,12 +274,10 @@ class Machine(Repeatable):
 
         Rows of loops come behind these where they have right-hand sides, too.
         """
-        rows = []
-        for slaved in self.plan.slaved:
-            mimic = self.plan.joints[slaved].mimic
-            assert mimic is not None
-            source = self.memory["qdd", mimic[0]][0]
-            rows.append(self.memory["qdd", slaved][0] - source * mimic[1])
+        rows = [
+            self.memory["qdd", slaved][0] - self.memory["qdd", source][0] * multiplier
+            for slaved, source, multiplier in self.plan.following
+        ]
         if self.plan.closed and self.closures.solves_at_end:
             tied = LoopConstraints(self, self.motion, self.closures.fronts[0])
             self.memory["torques"] = tied.solve(rows, list(self.plan.slaved))

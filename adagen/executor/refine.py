@@ -127,10 +127,9 @@ class WideLinks:
     def follow(self, qdd: Array) -> Array:
         """Return accelerations, shape (nv,), with those of slaved joints from their sources."""
         qdd = qdd.copy()
-        for j in self.plan.slaved:
-            joint = self.plan.joints[j]
-            assert joint.mimic is not None
-            qdd[joint.v] = self.wide(joint.mimic[1]) * qdd[self.plan.joints[joint.mimic[0]].v]
+        joints = self.plan.joints
+        for slaved, source, multiplier in self.plan.following:
+            qdd[joints[slaved].v] = self.wide(multiplier) * qdd[joints[source].v]
         return qdd
 
     def residual(self, qdd: Array, forces: Array) -> Array:

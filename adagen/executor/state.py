@@ -200,13 +200,11 @@ class State(ProcessMemory):
         for column, (lent, k) in enumerate(reversed(self.plan.lent), start=1):
             if j == lent and len(result):
                 result[k, -column] = self.graph.constant(-1)
-        for column, slaved in enumerate(self.plan.slaved, start=1):
-            mimic = self.plan.joints[slaved].mimic
-            assert mimic is not None
+        for column, (slaved, source, multiplier) in enumerate(self.plan.following, start=1):
             if j == slaved:
                 result[0, column] = self.graph.constant(1)
-            if j == mimic[0]:
-                result[0, column] = self.graph.constant(-mimic[1])
+            if j == source:
+                result[0, column] = self.graph.constant(-multiplier)
         return result
 
     def _lost(self, j: int) -> list[list[Expression]]:

@@ -208,4 +208,4 @@ def moving(plan: Plan, process: Process) -> tuple[int, ...]:
     They are those on its paths and its own, or the sources of these where they are slaved.
     """
     joints = {*paths_of(plan, process), *process.owns}
-    return tuple(sorted({j if (m := plan.joints[j].mimic) is None else m[0] for j in joints}))
+    return tuple(sorted(set(map(plan.source_of, joints))))

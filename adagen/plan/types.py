@@ -428,6 +428,17 @@ class Plan:
         """Whether masses or centres of mass of links can be set at run time."""
         return any(parameter.link for parameter in self.parameters)
 
+    @cached_property
+    def following(self) -> tuple[tuple[int, int, float], ...]:
+        """Each slaved joint, its source, and the multiplier between their accelerations."""
+        mimics = ((j, self.joints[j].mimic) for j in self.slaved)
+        return tuple((j, mimic[0], mimic[1]) for j, mimic in mimics if mimic is not None)
+
+    def source_of(self, j: int) -> int:
+        """Return the joint that joint j follows if it is slaved, else itself."""
+        mimic = self.joints[j].mimic
+        return j if mimic is None else mimic[0]
+
     def paths(self, joints: Iterable[int]) -> set[int]:
         """Return the joints from the ground down to some joints, these included."""
         return paths_to_ground(self.joints, joints)

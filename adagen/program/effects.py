@@ -392,10 +392,8 @@ def _disassemble(step: Disassemble, run: Sequence[int]) -> Effects:
 def _coupled(plan: Plan) -> tuple[Place, ...]:
     """Accelerations of slaved joints and their sources."""
     found: dict[Place, None] = {}
-    for slaved in plan.slaved:
-        mimic = plan.joints[slaved].mimic
-        assert mimic is not None  # that is what slaved means
-        found["qdd", slaved] = found["qdd", mimic[0]] = None
+    for slaved, source, _ in plan.following:
+        found["qdd", slaved] = found["qdd", source] = None
     if plan.tied_rows:
         found.update(dict.fromkeys(_between_ends(plan)))
         found.update((("qdd", j), None) for j, _ in plan.lent)

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.emit.processes import message_size
+from adagen.emit.messages import message_size
 from adagen.emit.symbols import Symbols
 from adagen.model import Model
 from adagen.plan import MEETINGS, Plan, make_plan

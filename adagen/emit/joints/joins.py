@@ -119,16 +119,14 @@ def torques(symbols: Symbols, j: int, tau: str, *, turned: bool = False) -> list
 
 def coupling_torques(symbols: Symbols, j: int, tau: str) -> list[str]:
     """The unit coupling torques of slaved joints and their sources."""
-    plan, lines = symbols.plan, []
+    lines: list[str] = []
     if symbols.columns == 1:
-        return []
-    for column, slaved in enumerate(plan.slaved, start=1):
-        mimic = plan.joints[slaved].mimic
-        assert mimic is not None  # that is what slaved means
+        return lines
+    for column, (slaved, source, multiplier) in enumerate(symbols.plan.following, start=1):
         if j == slaved:
             lines.append(f"{tau}[0][{column}] = 1;")
-        if j == mimic[0]:
-            lines.append(f"{tau}[0][{column}] = {symbols.printer.number(-mimic[1])};")
+        if j == source:
+            lines.append(f"{tau}[0][{column}] = {symbols.printer.number(-multiplier)};")
     return lines
 
 

@@ -8,7 +8,7 @@ from adagen.emit.symbols import Symbols
 def kinematics_lines(symbols: Symbols, j: int) -> list[str]:
     """Return the lines that set X_j and the velocity of the child link from q and v."""
     joint, kind = symbols.plan.joints[j], symbols.kind(j)
-    source = j if joint.mimic is None else joint.mimic[0]
+    source = symbols.plan.source_of(j)
     state = symbols.plan.joints[source]
     lines = [
         f"auto& i = {symbols.memory(j)};",

@@ -6,7 +6,13 @@ from functools import partial
 
 from adagen.emit import forces
 from adagen.emit.joints.rows import function_of
-from adagen.emit.processes import block_calls, describe_message, in_a_row
+from adagen.emit.messages import (
+    block_calls,
+    coupling_lines,
+    in_a_row,
+    receive_lines,
+    send_lines,
+)
 from adagen.emit.stages import stamped
 from adagen.emit.symbols import Symbols
 from adagen.plan.steps import (
@@ -79,11 +85,14 @@ def step_lines(symbols: Symbols, process: Process, step: Step) -> list[str]:
             memory, b = symbols.link_memory(step.link), symbols.bias(step.bias)
             return [f"{memory}.a = {b} + {symbols.block(step.block)} * {memory}.load;"]
         case Send():
-            return _send(symbols, step.message)
+            calls = _calls(symbols, step.message, "put", "to")
+            return send_lines(symbols, step.message, calls)
         case Receive():
-            return _receive(symbols, step.message)
+            calls = _calls(symbols, step.message, "get", "from")
+            return receive_lines(symbols, step.message, calls)
         case SolveCoupling():
-            return _solve_coupling(symbols)
+            rows = "std::array<std::array<Real, kColumns>, kColumns - 1>"
+            return coupling_lines(symbols, rows, lambda j: f"{symbols.memory(j)}.qdd[0]")
         case ApplyCoupling():
             return [
                 f"store_coupled(w, {j}, {symbols.plan.joints[j].v}, {memory}.qdd, w.coupling);"
@@ -103,41 +112,8 @@ def _contents(symbols: Symbols, message: Message) -> list[str]:
     ]
 
 
-def _calls(symbols: Symbols, message: Message, verb: str, place: str) -> list[str]:
+def _calls(symbols: Symbols, number: int, verb: str, place: str) -> list[str]:
     """The calls that put what is in a message there, or get it."""
+    message = symbols.plan.messages[number]
     others = [f"{verb}({place}, {item})" for item in _contents(symbols, message)]
-    return [*block_calls(symbols, message, verb, place), *others]
-
-
-def _send(symbols: Symbols, number: int) -> list[str]:
-    message = symbols.plan.messages[number]
-    return [
-        f"{{  // to process {message.target}: {describe_message(symbols, message)}",
-        f"  Number* to = channel.outgoing({number}, w.status);",
-        *in_a_row("to", _calls(symbols, message, "put", "to")),
-        f"  channel.send({number}, w.status);",
-        "}",
-    ]
-
-
-def _receive(symbols: Symbols, number: int) -> list[str]:
-    message = symbols.plan.messages[number]
-    return [
-        f"{{  // from process {message.source}: {describe_message(symbols, message)}",
-        f"  const Number* from = channel.receive({number}, w.status);",
-        *in_a_row("from", _calls(symbols, message, "get", "from")),
-        "}",
-    ]
-
-
-def _solve_coupling(symbols: Symbols) -> list[str]:
-    plan = symbols.plan
-    lines = ["{", "  std::array<std::array<Real, kColumns>, kColumns - 1> rows;"]
-    for k, slaved in enumerate(plan.slaved):
-        mimic = plan.joints[slaved].mimic
-        assert mimic is not None  # that is what slaved means
-        lines.append(
-            f"  coupling_row(rows[{k}], {symbols.memory(slaved)}.qdd[0], "
-            f"{symbols.memory(mimic[0])}.qdd[0], {mimic[1]!r});"
-        )
-    return [*lines, f"  solve_coupling(w, {plan.slaved[0]}, rows, w.coupling);", "}"]
+    return in_a_row(place, [*block_calls(symbols, message, verb, place), *others])

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from adagen.emit.kernels.limb_spread import LimbSpread
 from adagen.emit.kernels.messages import exchanged
-from adagen.emit.processes import describe_message
+from adagen.emit.messages import describe_message, send_lines
 from adagen.emit.symbols import Symbols
 from adagen.plan.limb_spread import spread
 from adagen.plan.steps import Certify
@@ -26,15 +26,11 @@ def told(
     """Return the lines that send a process's part to process 0."""
     number, message = exchanged(symbols, operation)
     (joints,) = (step.joints for step in process.steps_of(Certify))
-    lines = [
-        f"{{  // to process {message.target}: {describe_message(symbols, message)}",
-        f"  Number* to = channel.outgoing({number}, w.status);",
-        "  to = tell_sums(to, w);",
-    ]
+    lines = ["  to = tell_sums(to, w);"]
     for link in message.weighed:
         limbs, call = spread(symbols.plan, joints, link), f"to = tell_link(to, w, {link}, {{}});"
         lines += [f"  {line}" for line in limb_spread.lines(limbs, link, call.format)]
-    return [*lines, f"  channel.send({number}, w.status);", "}"]
+    return send_lines(symbols, number, lines)
 
 
 def heard(symbols: Symbols, operation: Operation) -> list[str]:

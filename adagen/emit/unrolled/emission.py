@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from adagen.emit import guards
 from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
-from adagen.emit.processes import describe_message, message_size
+from adagen.emit.messages import describe_message, message_size
 from adagen.emit.symbols import Symbols
 from adagen.emit.unrolled.arrangement import (
     Arrangement,
