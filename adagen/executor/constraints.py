@@ -146,7 +146,7 @@ class Constraints:
             front.opening.append(Opening(place, fastest, forces, turning))
         else:
             self._refuse_torn(place, frames.rate(), fastest)
-        ends_of = ([one.link1 for one in loops], [one.link2 for one in loops])
+        ends_of = [[one.links[k] for one in loops] for k in (0, 1)]
         fields = [self.motion.field_of_all(links) for links in ends_of]
         front.lanes[place] = tuple(dict.fromkeys(numbers))
         front.loops[step.loop] = []
@@ -187,8 +187,7 @@ class Constraints:
         loops, frames, fields, held = closing
         linear, *directions = frames.row(number)
         bias = frames.turned(number, fields[0].omega, fields[1].omega)
-        links = (loops[0].link1, loops[0].link2)
-        ends = zip(links, fields, directions, frames.arms, strict=True)
+        ends = zip(loops[0].links, fields, directions, frames.arms, strict=True)
         for k, (link, motion, direction, arm) in enumerate(ends):
             sign = 1.0 if k else -1.0  # of link 2 less of link 1
             if linear:

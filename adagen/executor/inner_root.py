@@ -21,6 +21,7 @@ from adagen.executor.frames import Transform
 from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
 from adagen.graph import Expression, total
+from adagen.model.paths import path_to_ground
 from adagen.plan.limb_spread import beyond_held
 from adagen.plan.steps import Articulate, LoadRoot, SolveMobility, SolveRoot, Step
 
@@ -74,9 +75,7 @@ class InnerRoot:
         return found
 
     def _on_the_way(self, j: int) -> None:
-        way = [j]
-        while way[-1] not in self.bases:
-            way.append(self.state.plan.joints[way[-1]].parent - 1)
+        way = path_to_ground(self.state.plan.joints, j + 1)
         drift = self.motion.drift(way[-1])
         assert drift is not None  # a floating base has one
         self.memory["fall", way[-1] + 1] = fall = drift[3:, 0]

@@ -221,21 +221,16 @@ def _joint(joint: PlanJoint, j: int, links: Mapping[int, Exact]) -> PlanJoint:
 
 
 def _loop(loop: PlanLoop, links: Mapping[int, Exact]) -> PlanLoop:
-    if loop.link1 in links:
-        turn = links[loop.link1].T
-        loop = replace(
-            loop,
-            rotation1=_rows(turn.dot(exact(loop.rotation1))),
-            translation1=_vector(turn.dot(exact(loop.translation1))),
-        )
-    if loop.link2 in links:
-        turn = links[loop.link2].T
-        loop = replace(
-            loop,
-            rotation2=_rows(turn.dot(exact(loop.rotation2))),
-            translation2=_vector(turn.dot(exact(loop.translation2))),
-        )
-    return loop
+    turns = [links.get(link, identity()).T for link in loop.links]
+    rotations = [_rows(x.dot(exact(y))) for x, y in zip(turns, loop.rotations, strict=True)]
+    places = [_vector(x.dot(exact(y))) for x, y in zip(turns, loop.translations, strict=True)]
+    return replace(
+        loop,
+        rotation1=rotations[0],
+        translation1=places[0],
+        rotation2=rotations[1],
+        translation2=places[1],
+    )
 
 
 def _link(link: PlanLink, turn: Exact) -> PlanLink:

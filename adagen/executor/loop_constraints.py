@@ -21,7 +21,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.loop_forces import give_forces
 from adagen.executor.state import State
 from adagen.graph import Expression, matrix_times, solved_by_reflections, total
-from adagen.plan import Plan
+from adagen.model.paths import common_link
 from adagen.plan.digits import EPSILON
 
 Array = NDArray[Any]
@@ -44,7 +44,7 @@ class LoopConstraints:
         self.memory: dict[Any, Any] = state.memory
         self.links: dict[tuple[int, int], Array] = {}
         self.common = {
-            unknown: _common(state.plan, loop)
+            unknown: common_link(state.plan.joints, state.plan.loops[loop].links)
             for loop, rows in front.loops.items()
             for wide_unknown, *_ in rows
             for unknown in wide_unknown
@@ -137,16 +137,3 @@ class LoopConstraints:
             by_kept = solved_by_reflections(kept.T.copy(), others.T.copy())[0].T
         self.front.pushed = Pushed(tied, None, left_out, by_kept)
         give_forces(self.state, self.front, None)
-
-
-def _common(plan: Plan, loop: int) -> int:
-    """The last link that the paths to both links of a loop have in common; 0 is the ground."""
-
-    def inwards(link: int) -> list[int]:
-        found = [link]
-        while found[-1] > 0:
-            found.append(plan.joints[found[-1] - 1].parent)
-        return found
-
-    first = inwards(plan.loops[loop].link1)
-    return next(link for link in inwards(plan.loops[loop].link2) if link in first)

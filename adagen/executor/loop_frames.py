@@ -7,7 +7,7 @@ relative pose is computed along the path through the last link that both have in
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
@@ -18,6 +18,7 @@ from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, total
 from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
+from adagen.model.paths import path_to_ground
 from adagen.plan.robot import PlanLoop
 
 Array = NDArray[Any]
@@ -99,25 +100,16 @@ class LoopFrames:
     def __init__(self, state: State, loops: Sequence[PlanLoop]) -> None:
         loop = loops[0]
         self.state, self.kind = state, LOOP_KINDS[loop.kind]
-        ways = [self._way(link) for link in (loop.link1, loop.link2)]
+        ways = [path_to_ground(state.plan.joints, link)[::-1] for link in loop.links]
         shared = sum(a == b for a, b in zip(*ways, strict=False))
 
-        def packed(read: Callable[[PlanLoop], Any]) -> Array:
-            return state.rows.packed([state.constants(read(each)) for each in loops])
+        def end(side: int) -> End:
+            axes = state.rows.packed([state.constants(each.rotations[side]) for each in loops])
+            place = state.rows.packed([state.constants(each.translations[side]) for each in loops])
+            return End(state, loop.links[side], axes, place, tuple(ways[side][shared:]))
 
-        axes, place = packed(lambda loop: loop.rotation1), packed(lambda loop: loop.translation1)
-        self.one = End(state, loop.link1, axes, place, ways[0][shared:])
-        axes, place = packed(lambda loop: loop.rotation2), packed(lambda loop: loop.translation2)
-        self.two = End(state, loop.link2, axes, place, ways[1][shared:])
+        self.one, self.two = end(0), end(1)
         self._axes: dict[int, Array] = {}
-
-    def _way(self, link: int) -> tuple[int, ...]:
-        """Joints from the ground outwards to a link."""
-        found = []
-        while link > 0:
-            found.append(link - 1)
-            link = self.state.plan.joints[link - 1].parent
-        return tuple(reversed(found))
 
     def axis(self, k: int) -> Array:
         """Return axis k of frame 1 in axes of the common link."""

@@ -20,6 +20,7 @@ from adagen.executor.front import End
 from adagen.executor.kinematics import Motion
 from adagen.executor.left_over import LeftOver
 from adagen.graph import Expression, matrix_times, total
+from adagen.model.paths import path_to_ground
 from adagen.plan.arms import WideUnknown
 
 Array = NDArray[Any]
@@ -208,10 +209,8 @@ class Energies:
 
     def _square(self, link: int) -> Expression:
         """The square of a link's free fall, which rotations do not change: that of its base's."""
-        joints, own = self.state.plan.joints, link
-        while joints[own - 1].parent > 0:
-            own = joints[own - 1].parent
-        base: Expression = total(x * x for x in self.state.memory["fall", own])
+        base_joint = path_to_ground(self.state.plan.joints, link)[-1]
+        base: Expression = total(x * x for x in self.state.memory["fall", base_joint + 1])
         return base
 
     def without_fall(self, links: Mapping[int, Array]) -> dict[int, Array]:

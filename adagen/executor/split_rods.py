@@ -57,22 +57,23 @@ class RodHalfMotion:
         """The weld, in each lane."""
         return self._read_loops(self.half.closing)
 
-    def _packed(self, read: Callable[[PlanLoop, int], Any], side: int) -> Array:
-        """Numbers of one side of the welds."""
-        each = [self.state.constants(read(loop, side)) for loop in self.loops]
+    def _axes(self, side: int) -> Array:
+        """The frames' axes at one side of the welds."""
+        each = [self.state.constants(loop.rotations[side]) for loop in self.loops]
         return self.state.rows.packed(each)
 
     @property
     def carriers(self) -> list[int]:
         """The links of the other halves, by lanes."""
-        return [(loop.link1, loop.link2)[1 - self.half.side] for loop in self.loops]
+        return [loop.links[1 - self.half.side] for loop in self.loops]
 
     @cached_property
     def fixed(self) -> Transform:
         """Its pose on the other half."""
-        own, other = (self._packed(_rotation, s) for s in (self.half.side, 1 - self.half.side))
-        turn = matrix_times(other, own.T)
-        place = self._packed(_translation, 1 - self.half.side)
+        beside = 1 - self.half.side
+        turn = matrix_times(self._axes(beside), self._axes(self.half.side).T)
+        each = [self.state.constants(loop.translations[beside]) for loop in self.loops]
+        place = self.state.rows.packed(each)
         return Transform(Rotation((constant_turn(turn) or Dense(turn),)), place)
 
     # -- bodies and torques -----------------------------------------------------------------------
@@ -132,7 +133,7 @@ class RodHalfMotion:
 
     @property
     def _links(self) -> list[int]:
-        return [(loop.link1, loop.link2)[self.half.side] for loop in self.loops]
+        return [loop.links[self.half.side] for loop in self.loops]
 
     @property
     def _carrier_field(self) -> Any:
@@ -233,11 +234,3 @@ class RodHalves:
             )
             for step in steps
         ]
-
-
-def _rotation(loop: PlanLoop, side: int) -> Any:
-    return (loop.rotation1, loop.rotation2)[side]
-
-
-def _translation(loop: PlanLoop, side: int) -> Any:
-    return (loop.translation1, loop.translation2)[side]

@@ -131,7 +131,7 @@ def _coupled_mimics(model: Model) -> Model:
 def _between(model: Model, loop: Loop) -> set[int]:
     """Joints between the ends of a loop."""
     ways: list[set[int]] = []
-    for link in (loop.link1, loop.link2):
+    for link in loop.links:
         way, at = set[int](), link
         while at > 0:
             way.add(at - 1)

@@ -84,6 +84,11 @@ class Loop:
     turn2: tuple[tuple[float, ...], ...] = ()
 
     @property
+    def links(self) -> tuple[int, int]:
+        """Both links."""
+        return self.link1, self.link2
+
+    @property
     def ends(self) -> tuple[tuple[int, Frame], tuple[int, Frame]]:
         """Both links with their frames."""
         return (self.link1, self.frame1), (self.link2, self.frame2)

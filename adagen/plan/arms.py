@@ -107,7 +107,7 @@ def _loops_at(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> list[Close
     """The loops at links of a chain."""
     links = {j + 1 for j in chain}
     ends = ((c, plan.loops[c.loop]) for c in one.loops)
-    return [closing for closing, loop in ends if not links.isdisjoint((loop.link1, loop.link2))]
+    return [closing for closing, loop in ends if not links.isdisjoint(loop.links)]
 
 
 def _shape(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> tuple[object, ...] | None:
@@ -128,10 +128,8 @@ def _shape(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> tuple[object,
     loops = []
     for closing in _loops_at(plan, one, chain):
         loop = plan.loops[closing.loop]
-        ends = [
-            (place.get(link), None if link in place else link) for link in (loop.link1, loop.link2)
-        ]
-        if all(link in place for link in (loop.link1, loop.link2)):
+        ends = [(place.get(link), None if link in place else link) for link in loop.links]
+        if all(link in place for link in loop.links):
             return None
         forces = range(closing.first, closing.first + len(closing.rows))
         kept = tuple((force in how.rows, force in how.followers) for force in forces)

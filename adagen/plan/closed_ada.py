@@ -86,7 +86,7 @@ class ClosedAdaPlanner(ClusterPlanner):
         steps: list[Step] = []
         passed = set(process.reads)
         for k, loop in enumerate(self.loops):
-            ends = {loop.link1, loop.link2}
+            ends = set(loop.links)
             if all_of_them or links & ends:
                 steps.append(self._close_loop(k))
                 passed |= {link - 1 for link in ends if link > 0}

@@ -106,7 +106,7 @@ class ClosureElimination:
 
     def _on_ground(self, closure: Closure) -> bool:
         """Whether one of a closure's loops ends on the ground."""
-        return any(0 in (self.loops[k].link1, self.loops[k].link2) for k in closure.loops)
+        return any(0 in self.loops[k].links for k in closure.loops)
 
     def inwards(self, j: int) -> Iterator[Step]:
         """Yield the inward steps of a joint, seen from the ground."""

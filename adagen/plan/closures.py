@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from adagen.errors import InputError
 from adagen.model import Model
+from adagen.model.paths import path_to_ground
 from adagen.plan.independent_coordinates import NO_PIVOT, Numbers, chosen
 from adagen.plan.loop_checks import check_inertia, check_joints, check_prescribed, why_open
 from adagen.plan.loop_groups import (
@@ -27,7 +28,6 @@ from adagen.plan.loop_groups import (
     connected,
     freedoms_of,
     loop_paths,
-    path_to_ground,
     rows_of,
 )
 from adagen.reference.closed import closed_states, constraints_of_all
@@ -235,7 +235,7 @@ def inertias_of(model: Model, columns: Sequence[int]) -> list[Array]:
 
 def depths_of(model: Model, path: Sequence[int]) -> list[int]:
     """Return the distance from the ground of each freedom's joint."""
-    return [len(path_to_ground(model, j + 1)) for j in path for _ in freedoms_of(model, [j])]
+    return [len(path_to_ground(model.joints, j + 1)) for j in path for _ in freedoms_of(model, [j])]
 
 
 def must_be_held(model: Model, path: Sequence[int]) -> set[int]:

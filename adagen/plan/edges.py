@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from adagen.plan.robot import PlanJoint, paths_to_ground
+from adagen.model.paths import paths_to_ground
+from adagen.plan.robot import PlanJoint
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model import Model
+from adagen.model.paths import path_to_ground
 from adagen.plan.closures import (
     MOST_HELD,
     Closure,
@@ -27,7 +28,7 @@ from adagen.plan.closures import (
     with_choices,
 )
 from adagen.plan.independent_coordinates import LARGE, expected, largest, offers_of, uncovered
-from adagen.plan.loop_groups import LoopGroup, connected, loop_paths, path_to_ground
+from adagen.plan.loop_groups import LoopGroup, connected, loop_paths
 
 Array = NDArray[np.float64]
 
@@ -47,7 +48,7 @@ def grounded_closures_of(model: Model) -> tuple[Closure, ...]:
     Raises:
         InputError: as ``closures_of``.
     """
-    if not any(0 in (loop.link1, loop.link2) for loop in model.loops):
+    if not any(0 in loop.links for loop in model.loops):
         return ()
     _, samples = sampled(model)
     tied = loop_paths(model)
@@ -82,7 +83,7 @@ def _poor_parts(model: Model, samples: Array) -> dict[int, float]:
 
 def _grounded(model: Model) -> list[int]:
     """Loops between a link and the ground."""
-    return [k for k, loop in enumerate(model.loops) if 0 in (loop.link1, loop.link2)]
+    return [k for k, loop in enumerate(model.loops) if 0 in loop.links]
 
 
 def _earliest(
@@ -95,7 +96,7 @@ def _earliest(
 ) -> tuple[LoopGroup, Closure] | None:
     """The smallest closure of a loop to the ground that can be eliminated early."""
     loop = model.loops[k]
-    way = path_to_ground(model, loop.link1 or loop.link2)
+    way = path_to_ground(model.joints, loop.link1 or loop.link2)
     tried: set[LoopGroup] = set()
     for count in range(1, len(way)):
         one = _within(model, tied, left, k, way[:count])
@@ -122,7 +123,7 @@ def _within(
     limbs that are each on the ground depends on the joints of both.
     """
     top = model.joints[joints[-1]].parent
-    inwards = set(path_to_ground(model, top))
+    inwards = set(path_to_ground(model.joints, top))
     members, path = {k}, set(joints)
     while True:
         touched = [m for m in left if m not in members and tied[m][1] & path]
@@ -139,7 +140,7 @@ def _within(
 
 def _links_above(model: Model, joint: int) -> list[int]:
     """Links on the path from a joint to the ground."""
-    return [model.joints[j].parent for j in path_to_ground(model, joint + 1)]
+    return [model.joints[j].parent for j in path_to_ground(model.joints, joint + 1)]
 
 
 def _ending_early(model: Model, one: LoopGroup, samples: Array, poor: float) -> Closure | None:
@@ -147,7 +148,7 @@ def _ending_early(model: Model, one: LoopGroup, samples: Array, poor: float) -> 
     rows = sampled_rows(model, one, samples)
     inwards = [
         model.v_start[j] + i
-        for j in path_to_ground(model, one.top)
+        for j in path_to_ground(model.joints, one.top)
         for i in range(model.joints[j].kind.nv)
     ]
     columns = [*rows.columns, *inwards]

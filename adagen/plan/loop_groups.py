@@ -8,27 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from adagen.model import Model
-
-
-def path_to_ground(model: Model, link: int) -> list[int]:
-    """Return the joints from a link inwards to the ground."""
-    found = []
-    while link > 0:
-        found.append(link - 1)
-        link = model.joints[link - 1].parent
-    return found
+from adagen.model.paths import path_to_ground
 
 
 def _parted(model: Model, links: Sequence[int]) -> tuple[int, set[int]]:
     """The last common link on the paths to some links, and the joints beyond it."""
-    ways = [path_to_ground(model, link) for link in links]
+    ways = [path_to_ground(model.joints, link) for link in links]
     shared = set(ways[0]).intersection(*ways[1:])
     return max((j + 1 for j in shared), default=0), set().union(*ways) - shared
 
 
 def loop_paths(model: Model) -> list[tuple[int, set[int]]]:
     """Return for each loop, then each coupling, its last common link and the joints beyond."""
-    found = [_parted(model, (loop.link1, loop.link2)) for loop in model.loops]
+    found = [_parted(model, loop.links) for loop in model.loops]
     for coupling in model.couplings:
         joints = [j for j, _ in coupling.terms]
         top, path = _parted(model, [model.joints[j].parent for j in joints])

@@ -117,12 +117,12 @@ def _loop_like(
 ) -> tuple[CloseLoop, bool] | None:
     """A loop between the links that correspond to another's, and whether they are exchanged."""
     loop = plan.loops[closing.loop]
-    ends = [_link_like(lead, other, link, joints) for link in (loop.link1, loop.link2)]
+    ends = [_link_like(lead, other, link, joints) for link in loop.links]
     for each in other.loops:
         like = plan.loops[each.loop]
-        if like.kind == loop.kind and [like.link1, like.link2] == ends:
+        if like.kind == loop.kind and list(like.links) == ends:
             return each, False
-        if like.kind == loop.kind == "weld" and [like.link2, like.link1] == ends:
+        if like.kind == loop.kind == "weld" and list(reversed(like.links)) == ends:
             return each, True
     return None
 
@@ -170,7 +170,7 @@ def _may_be(
 ) -> bool:
     """Whether a loop has a counterpart, or may have once more joints are known."""
     loop = plan.loops[closing.loop]
-    ends = [_link_like(lead, other, link, joints) for link in (loop.link1, loop.link2)]
+    ends = [_link_like(lead, other, link, joints) for link in loop.links]
     return None in ends or _loop_like(plan, lead, other, closing, joints) is not None
 
 
@@ -184,7 +184,7 @@ def _labels(plan: Plan, one: ClosureSteps) -> dict[int, object]:
         follows = None if first is None else tuple(first + k in moved for k in range(count))
         beyond = sorted(repr(found[c]) for c in plan.children[j + 1] if c in found)
         ends = [plan.loops[c.loop] for c in one.loops]
-        at = sorted(loop.kind for loop in ends if j + 1 in (loop.link1, loop.link2))
+        at = sorted(loop.kind for loop in ends if j + 1 in loop.links)
         found[j] = (nature(joint), follows, tuple(at), tuple(beyond))
     return found
 
@@ -203,7 +203,7 @@ def _structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
     loops = []
     for closing in one.loops:
         loop = one.loop(plan, closing.loop)
-        ends = link(loop.link1), link(loop.link2)
+        ends = tuple(map(link, loop.links))
         loops.append((loop.kind, ends, closing.rows, closing.first, bool(loop.turn2)))
     couplings = [
         (tuple(place[j] for j, _ in plan.couplings[c.coupling].terms), c.unknown)

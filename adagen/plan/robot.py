@@ -8,6 +8,7 @@ from itertools import accumulate
 
 from adagen.model import OUTPUT_SIZES
 from adagen.model.loops import LOOP_KINDS
+from adagen.model.paths import paths_to_ground
 from adagen.schedule.costs import PRESCRIBED
 
 OPTIONAL = {"optional": True}
@@ -161,6 +162,21 @@ class PlanLoop:
     tolerance: float
     turn2: tuple[tuple[float, ...], ...] = field(default=(), metadata=OPTIONAL)
 
+    @property
+    def links(self) -> tuple[int, int]:
+        """Both links."""
+        return self.link1, self.link2
+
+    @property
+    def rotations(self) -> tuple[tuple[tuple[float, ...], ...], tuple[tuple[float, ...], ...]]:
+        """Rotations of both frames."""
+        return self.rotation1, self.rotation2
+
+    @property
+    def translations(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Translations of both frames."""
+        return self.translation1, self.translation2
+
     def exchanged(self) -> PlanLoop:
         """Return the loop with its links in the other order; of a weld that is the same one."""
         return replace(
@@ -214,21 +230,11 @@ class PlanParameter:
     turn: tuple[tuple[float, ...], ...] = field(default=(), metadata=OPTIONAL)
 
 
-def paths_to_ground(joints: Sequence[PlanJoint], wanted: Iterable[int]) -> set[int]:
-    """Return the joints from the ground down to some joints, these included."""
-    found: set[int] = set()
-    for joint in wanted:
-        while joint >= 0 and joint not in found:
-            found.add(joint)
-            joint = joints[joint].parent - 1
-    return found
-
-
 def bound_by_loops(
     joints: Sequence[PlanJoint], loops: Sequence[PlanLoop], couplings: Sequence[PlanCoupling]
 ) -> frozenset[int]:
     """Return the joints that a loop or coupling is at, or beyond."""
-    links = {link for loop in loops for link in (loop.link1, loop.link2)}
+    links = {link for loop in loops for link in loop.links}
     coupled = {j for coupling in couplings for j, _ in coupling.terms}
     return frozenset(paths_to_ground(joints, {link - 1 for link in links} | coupled))
 

@@ -59,7 +59,7 @@ def _apart(model: Model, closure: Closure) -> bool:
         closure.top == 0
         and len(bases) > 1
         and not closure.couplings
-        and all(loop.link1 and loop.link2 for loop in loops)
+        and all(all(loop.links) for loop in loops)
         and all(model.joints[j].kind is FLOATING for j in bases)
         and not any(model.joints[j].prescribed for j in path)
         and not must_be_held(model, path)

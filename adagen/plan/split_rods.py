@@ -76,9 +76,8 @@ def _rod_half(plan: Plan, one: ClosureSteps, closing: CloseLoop, side: int) -> R
     loop, how = one.loop(plan, closing.loop), one.eliminate
     if loop.kind != "weld" or len(closing.rows) < 2 * PLACES:
         return None
-    ends = (loop.link1, loop.translation1), (loop.link2, loop.translation2)
-    (link, place), (carrier, _) = ends[side], ends[1 - side]
-    if any(place) or carrier - 1 not in one.held or link - 1 not in one.held:
+    link, carrier = loop.links[side], loop.links[1 - side]
+    if any(loop.translations[side]) or carrier - 1 not in one.held or link - 1 not in one.held:
         return None
     joints = _ball(plan, link)
     if not joints or not set(joints).issubset(one.held) or carrier - 1 in joints:
@@ -115,7 +114,7 @@ def _nothing_else(plan: Plan, joints: tuple[int, ...], weld: int) -> bool:
     if any(joint.prescribed or joint.rotor_inertia or joint.lent for joint in own):
         return False
     others = [loop for k, loop in enumerate(plan.loops) if k != weld]
-    if any(not links.isdisjoint((loop.link1, loop.link2)) for loop in others):
+    if any(not links.isdisjoint(loop.links) for loop in others):
         return False
     tied = {j for coupling in plan.couplings for j, _ in coupling.terms}
     if not tied.isdisjoint(joints) or any(wrench.link in links for wrench in plan.wrenches):

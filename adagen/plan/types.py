@@ -13,6 +13,7 @@ from itertools import chain
 from typing import Any, TypeVar, overload
 
 from adagen.model.kinds import KINDS
+from adagen.model.paths import paths_to_ground
 from adagen.plan.robot import (
     OPTIONAL,
     PlanCoupling,
@@ -22,7 +23,6 @@ from adagen.plan.robot import (
     PlanOutput,
     PlanParameter,
     PlanWrench,
-    paths_to_ground,
 )
 from adagen.plan.steps import (
     Bias,
@@ -398,7 +398,7 @@ class Plan:
             return list(range(self.entry_of_loop(0), self.nqdd)) if solves else []
         found: list[int] = []
         for k, loop in enumerate(self.loops):
-            if max(loop.link1, loop.link2) - 1 in process.owns:
+            if max(loop.links) - 1 in process.owns:
                 found += range(self.entry_of_loop(k), self.entry_of_loop(k) + 6)
         for k, coupling in enumerate(self.couplings):
             if coupling.terms[0][0] in process.owns:

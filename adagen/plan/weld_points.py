@@ -38,8 +38,7 @@ def with_points(model: Model) -> tuple[PlanLoop, ...]:
         for k in closure.loops:
             loop = loops[k]
             if loop.kind == "weld":
-                links = (loop.link1, loop.link2)
-                counts = [len(moved.intersection(_turned(joints, link))) for link in links]
+                counts = [len(moved.intersection(_turned(joints, link))) for link in loop.links]
                 if any(counts):
                     side = counts.index(max(counts))
                     elsewhere = _rows_at_origin(rows, rows_of(model)[k], loop, side)
@@ -58,7 +57,7 @@ def _kept_whole(closure: Closure, own: range) -> bool:
 
 def _along_axes(loop: PlanLoop, side: int) -> PlanLoop:
     """A weld whose rows are along the axes of its first or second link, where these rotate less."""
-    turns = [exact(loop.rotation1), exact(loop.rotation2)]
+    turns = [exact(rotation) for rotation in loop.rotations]
     own = exact(np.eye(3)), turns[1 - side].dot(turns[side].T)
     one, two = (_rows(rounded(own[int(k != side)])) for k in (0, 1))
     return replace(loop, rotation1=one, rotation2=two)
@@ -79,7 +78,7 @@ def _rows_at_origin(samples: Array, own: range, loop: PlanLoop, side: int) -> Ar
         loop: the weld, as it is looked at in them.
         side: 0 for its first link, 1 for its second.
     """
-    turn, place = ((loop.rotation1, loop.translation1), (loop.rotation2, loop.translation2))[side]
+    turn, place = loop.rotations[side], loop.translations[side]
     x, y, z = -(np.asarray(place) @ np.asarray(turn))
     result = samples.copy()
     across = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
@@ -122,7 +121,7 @@ def _turned(joints: Sequence[PlanJoint], link: int) -> list[int]:
 
 def _at_origin(loop: PlanLoop, side: int) -> PlanLoop:
     """A weld formulated at the origin of its first or its second link."""
-    turns = [exact(loop.rotation1), exact(loop.rotation2)]
+    turns = [exact(rotation) for rotation in loop.rotations]
     places = [exact(loop.translation1), exact(loop.translation2)]
     other = 1 - side
     place = places[other] - turns[other].dot(turns[side].T.dot(places[side]))

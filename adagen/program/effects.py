@@ -221,7 +221,7 @@ def _closed(plan: Plan, process: int, step: ClosedStep) -> Effects:
     match step:
         case CloseLoop():
             loop = plan.loops[step.loop]
-            ends = _moving(("velocity", loop.link1), ("velocity", loop.link2))
+            ends = _moving(*(("velocity", link) for link in loop.links))
             return Effects(ends, (("loop", step.loop),))
         case CloseCoupling():
             return Effects((), (("coupling", step.coupling),))
@@ -404,7 +404,7 @@ def _between_ends(plan: Plan) -> Iterator[Place]:
     """Accelerations of joints between ends of loops, and their rows."""
     for k, loop in enumerate(plan.loops):
         yield "loop", k
-        ways = [plan.paths([link - 1]) for link in (loop.link1, loop.link2)]
+        ways = [plan.paths([link - 1]) for link in loop.links]
         yield from (("qdd", j) for j in sorted(ways[0] ^ ways[1]))
     for k, coupling in enumerate(plan.couplings):
         yield "coupling", k

@@ -25,6 +25,7 @@ from adagen.model import (
     closed,
     with_loops_checked,
 )
+from adagen.model.paths import path_to_ground
 from adagen.scene.lock import lock, select
 from adagen.scene.names import Names
 from adagen.scene.prune import influential
@@ -282,10 +283,7 @@ def _wanting(model: Model, wanted: Set[str], scene: Scene) -> Model:
     names = Names(model, scene, checked=True)
     found = {names.joints[name] for name in wanted}
     for k, name in enumerate(scene.keep):
-        j = names.link(name, "keep", k)[0] - 1
-        while j >= 0:
-            found.add(j)
-            j = model.joints[j].parent - 1
+        found |= set(path_to_ground(model.joints, names.link(name, "keep", k)[0]))
     every = len(found) == len(model.joints)
     return replace(model, wanted=() if every else tuple(sorted(found)))
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from adagen.model import Model
+from adagen.model.paths import paths_to_ground
 
 
 def influential(model: Model, wanted: Collection[int], kept: Collection[int]) -> list[int]:
@@ -37,11 +38,8 @@ def influential(model: Model, wanted: Collection[int], kept: Collection[int]) ->
         stay |= more
         grown = bool(more)
     result = {j for j, first in limb.items() if first in stay}
-    for j in [*stay, *wanted, *(link - 1 for link in kept if link > 0)]:
-        while j >= 0:  # prescribed joints on the way to the ground
-            result.add(j)
-            j = model.joints[j].parent - 1
-    return sorted(result)
+    needed = [*stay, *wanted, *(link - 1 for link in kept)]  # by prescribed joints on the way
+    return sorted(result | paths_to_ground(model.joints, needed))
 
 
 def _tied(model: Model) -> list[set[int]]:
