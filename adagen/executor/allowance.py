@@ -50,10 +50,7 @@ class Sums:
         rows, by_count = self.state.rows, dict[int, list[Expression]]()
         for (_, count), part in self._parts.items():
             by_count.setdefault(count, []).append(part)
-        each = [
-            rows.sum_of(np.array(total(parts), object), count).item()
-            for count, parts in by_count.items()
-        ]
+        each = [rows.summed(total(parts), count) for count, parts in by_count.items()]
         return total([self.state.graph.constant(0), *each])
 
 
@@ -122,15 +119,6 @@ class Allowance:
             serial = near > 0 and len(plan.children[near]) == 1
             self._runs[j] = self.run(near - 1) if serial else j
         return self._runs[j]
-
-    def summed(self, x: Expression, count: int) -> Expression:
-        """The sum of the first numbers of a row; of a single joint its own."""
-        found: Expression = self.state.rows.sum_of(np.array(x, object), count).item()
-        return found
-
-    def whole(self, j: int, x: Expression) -> Expression:
-        """The sum of a joint's row."""
-        return self.summed(x, self.count(j))
 
     # -- how large accelerations are --------------------------------------------------------------
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,11 +67,6 @@ class ArmLanes:
     def each(self, value: Expression, count: int) -> list[Expression]:
         """The value of each arm."""
         return [each.item() for each in self.rows.each(np.array(value, object), count)]
-
-    def together(self, values: Sequence[Expression]) -> Expression:
-        """Values of arms as one wide value."""
-        whole = self.rows.together([np.array(value, object) for value in values])
-        return cast("Expression", whole.item())
 
     def add(self, front: Front, some: WideUnknown, others: WideUnknown, value: Expression) -> None:
         """Add to entries of E, lane by lane for similar arms."""

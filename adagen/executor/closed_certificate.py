@@ -171,10 +171,8 @@ class ClosedCertificate(Allowance):
 
     def _noise_of(self, noise: dict[int, Expression], unknowns: Sequence[WideUnknown]) -> Array:
         """Squares at unknowns, shape (n,)."""
-        together = self.machine.closures.arm_lanes.together
-        return np.array(
-            [together([noise[u] for u in wide_unknown]) for wide_unknown in unknowns], dtype=object
-        )
+        joined = self.state.rows.joined
+        return np.array([joined([noise[u] for u in own]) for own in unknowns], dtype=object)
 
     def _hand_over(
         self,
@@ -188,7 +186,7 @@ class ClosedCertificate(Allowance):
         for k, wide_unknown in enumerate(others):
             handed = total((gained[:, k] * gained[:, k]) * own)
             if len(wide_unknown) == 1:
-                each = [self.summed(handed, count)]
+                each = [self.state.rows.summed(handed, count)]
             else:
                 each = self.machine.closures.arm_lanes.each(handed, count)
             for unknown, x in zip(
@@ -260,6 +258,6 @@ class ClosedCertificate(Allowance):
         if drift is None:
             return
         links = self.corrections.links()
-        masses = [self.whole(each - 1, self.state.rows.mass(each)) for each in links]
+        masses = [self.state.rows.whole(each - 1, self.state.rows.mass(each)) for each in links]
         fall = self.square([*drift[3:, 0], *self.memory["a", link][3:, 0]])
         self.rounded.add(link - 1, 1, total(masses) * fall)

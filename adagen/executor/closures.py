@@ -151,9 +151,7 @@ class Closures(Constraints):
                     if any(entry is not None for entry in entries):
                         there = [zero if entry is None else entry for entry in entries]
                         speeds = [front.speeds[own] for own in wide_unknown]
-                        terms.append(
-                            self.arm_lanes.together(there) * self.arm_lanes.together(speeds)
-                        )
+                        terms.append(self.state.rows.joined(there) * self.state.rows.joined(speeds))
                 if terms:
                     rates.append(total(terms))
             if rates:

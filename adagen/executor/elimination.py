@@ -89,12 +89,8 @@ class Elimination:
             for k, column in enumerate(columns):
                 each = [self.front.entry(*pair) for pair in by_lanes(row, column)]
                 if any(entry is not None for entry in each):
-                    block[i, k] = self._together([zero if x is None else x for x in each])
+                    block[i, k] = self.state.rows.joined([zero if x is None else x for x in each])
         return block
-
-    def _together(self, values: Sequence[Any]) -> Any:
-        """Values of similar arms as one wide value; of one arm, the value."""
-        return self.state.rows.together([np.array(value, object) for value in values])[()]
 
     def _biases(self, unknowns: Unknowns) -> Array:
         """Part of e, shape (n, columns)."""
@@ -204,7 +200,9 @@ class Elimination:
         """Solve the rows of a block for its dependent accelerations."""
         rows, z, others = part.rows, part.moved, part.others
         scale_of = dict(zip(self.step.rows, self._scales(), strict=True))
-        scales = [self._together([scale_of[row] for row in wide_unknown]) for wide_unknown in rows]
+        scales = [
+            self.state.rows.joined([scale_of[row] for row in wide_unknown]) for wide_unknown in rows
+        ]
         right = np.concatenate([self._by_others(rows, others), self._biases(rows)], axis=1)
         count, last = 6 + len(others), len(right.T)
         right = np.concatenate([right, self._parted(np.ones(len(rows)))], axis=1)

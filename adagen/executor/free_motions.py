@@ -119,8 +119,8 @@ class FreeMotions:
             np.array([self.rows.together([x[k] for k in places]) for places in own])
             for x in (self.across, self.bias)
         ]
-        parts = ([np.array(self.alone[k], object) for k in places] for places in own)
-        before = np.array([self.rows.together(part)[()] for part in parts], dtype=object)
+        parts = ([self.alone[k] for k in places] for places in own)
+        before = np.array(list(map(self.rows.joined, parts)), dtype=object)
         factors = factorize(self._wide(own, own))
         half = factors.forward(np.concatenate([to_others, *rest], axis=1))
         over = factors.scaled(half)
@@ -144,5 +144,5 @@ class FreeMotions:
         result = np.empty((len(some), len(others)), dtype=object)
         for i, k in np.ndindex(result.shape):
             pairs = by_lanes(some[i], others[k])
-            result[i, k] = self.rows.together([np.array(self.square[p], object) for p in pairs])[()]
+            result[i, k] = self.rows.joined([self.square[p] for p in pairs])
         return result

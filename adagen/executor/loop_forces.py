@@ -33,8 +33,7 @@ def give_forces(state: State, front: Front, near: Array | None) -> None:
     for k, rows in front.loops.items():
         parts: list[list[Expression]] = [[zero] for _ in range(6)]
         for wide_unknown, linear, direction in rows:
-            each = [np.array(forces[unknown], object) for unknown in wide_unknown]
-            force = state.rows.together(each)[()]
+            force = state.rows.joined([forces[unknown] for unknown in wide_unknown])
             for i in range(3):  # f and m act on link 2, whose side of a row counts as positive
                 parts[i if linear else i + 3].append(-(force * direction[i]))
         whole = np.array(list(map(total, parts)), dtype=object)

@@ -91,17 +91,12 @@ class Residuals(LeftOver):
         """Wrench of a loop's rows on a link, with opposite sign."""
         forces = self.answer.forces
         parts = [
-            column * self._together([forces[closure, unknown] for unknown in wide_unknown])
+            column * self.state.rows.joined([forces[closure, unknown] for unknown in wide_unknown])
             for wide_unknown, column in end.columns.items()
             if (closure, wide_unknown[0]) in forces
         ]
         if parts:
             self.state.rows.add("held", end.links, end.count, sum(parts[1:], parts[0]))
-
-    def _together(self, values: Sequence[Expression]) -> Expression:
-        """Values of similar arms as one wide value."""
-        whole: Expression = self.state.rows.together([np.array(x, object) for x in values]).item()
-        return whole
 
     def by_loops(self, link: int) -> Array:
         """Return the wrench on a link from loops that end at it, with opposite sign, shape (6,)."""
@@ -177,11 +172,11 @@ class Energies:
         terms = [self.state.graph.constant(0)]
         for link in self.links:
             momentum = matrix_times(self.motion.link_inertia(link), links[link])
-            terms.append(self._whole(link - 1, total(momentum * links[link])))
+            terms.append(self.state.rows.whole(link - 1, total(momentum * links[link])))
         for j, qdd in joints.items():
             rotor = self.of_rotor(j, qdd)
             if rotor is not None:
-                terms.append(self._whole(j, rotor))
+                terms.append(self.state.rows.whole(j, rotor))
         return total(terms)
 
     def in_all(self) -> Expression:
@@ -190,7 +185,7 @@ class Energies:
         for link in self.links:
             field = self.state.memory["field", link]
             mass = self.state.rows.mass(link)
-            terms.append(self._whole(link - 1, total(x * x for x in field.a) * mass))
+            terms.append(self.state.rows.whole(link - 1, total(x * x for x in field.a) * mass))
         return total(terms)
 
     def in_fall(self, link: int, a: Array) -> Expression:
@@ -245,11 +240,4 @@ class Energies:
                 back = memory["X", j].rotation.transposed()
                 memory["fall", link] = back.vector(near_fall)
         found: Array = memory["fall", link]
-        return found
-
-    def _whole(self, j: int, x: Expression) -> Expression:
-        """The sum of a row's numbers; of a single joint its own."""
-        if j not in self.state.rows:
-            return x
-        found: Expression = self.state.graph.across(x, len(self.state.rows.own(j)))
         return found

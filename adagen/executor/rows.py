@@ -106,6 +106,11 @@ class Rows:
         """Return values of a closure's arms as one array; idle lanes repeat the last."""
         return self.packed(in_lanes(arrays), len(arrays))
 
+    def joined(self, values: Sequence[Expression]) -> Expression:
+        """Return numbers of a closure's arms as a wide one likewise."""
+        whole = self.together([np.array(value, object) for value in values])
+        return cast("Expression", whole.item())
+
     def each(self, value: Array, count: int) -> list[Array]:
         """Return the values of a number of arms from one array; of a single one, itself."""
         return [value] if count == 1 else [self.lane(value, k) for k in range(count)]
@@ -113,6 +118,14 @@ class Rows:
     def sum_of(self, value: Array, count: int) -> Array:
         """Return the sum of the first lanes likewise."""
         return value if count == 1 else _each(value, lambda x: x.graph.across(x, count))
+
+    def summed(self, x: Expression, count: int) -> Expression:
+        """Return the sum of the first numbers of a value; of a single one, itself."""
+        return cast("Expression", self.sum_of(np.array(x, object), count).item())
+
+    def whole(self, j: int, x: Expression) -> Expression:
+        """Return the sum of the numbers of joint j's row; of a single joint its own."""
+        return self.summed(x, len(self.own(j)))
 
     def lane(self, value: Array, k: int) -> Array:
         """Return lane k of an array."""

@@ -19,6 +19,7 @@ from adagen.executor.roots import Roots
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, matrix_times, total
 from adagen.model import REACTION_FORCE
+from adagen.plan.order import ends_of
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -109,11 +110,6 @@ class Segments:
             return self.state.zeros(6, self.state.columns)
         return self.state.column(left.by_loops(link))
 
-    def _ends(self, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int, int]:
-        """Near link, far link and sigma of a joint."""
-        parent, child = self.state.plan.joints[step.joint].parent, step.joint + 1
-        return (child, parent, -1) if step.reversed else (parent, child, 1)
-
     def _brought(self, step: Articulate, inertia: Array) -> Expression | None:
         """Trace of the contributions from beyond to where D is found; None if D cannot be noise.
 
@@ -131,7 +127,8 @@ class Segments:
         return brought - total([bare[k, k] for k in range(first, first + 3)])
 
     def _articulate(self, step: Articulate) -> None:
-        near, far, sigma = self._ends(step)
+        near, far = ends_of(self.state.plan.joints, step.joint, step.reversed)
+        sigma = -1 if step.reversed else 1
         kind = self.state.kind(step.joint)
         free, constrained = list(kind.free), list(kind.constrained)
         x: Transform = self.memory["X", step.joint]
@@ -230,7 +227,7 @@ class Segments:
         self, step: Propagate | Accelerate, near: Array | None
     ) -> tuple[Array, Array]:
         """The product sigma qdd, and the far link's deviation from the near link's (None: none)."""
-        _, _, sigma = self._ends(step)
+        sigma = -1 if step.reversed else 1
         x: Transform = self.memory["X", step.joint]
         kind = self.state.kind(step.joint)
         free, constrained = list(kind.free), list(kind.constrained)
@@ -256,7 +253,7 @@ class Segments:
         return moved, columnwise(x.motion_back, far) if step.reversed else far
 
     def _deliver(self, step: Deliver) -> None:
-        near, far, _ = self._ends(step)
+        near, far = ends_of(self.state.plan.joints, step.joint, step.reversed)
         x: Transform = self.memory["X", step.joint]
         kind = self.state.kind(step.joint)
         free, constrained = list(kind.free), list(kind.constrained)
@@ -283,7 +280,8 @@ class Segments:
         self.memory["load", near] = self.memory["load", near] + rest
 
     def _accelerate(self, step: Accelerate) -> None:
-        near, far, sigma = self._ends(step)
+        near, far = ends_of(self.state.plan.joints, step.joint, step.reversed)
+        sigma = -1 if step.reversed else 1
         rows = self.state.rows
         start = self.memory["a", near] if step.reversed else rows.near_motion(step.joint)
         moved, self.memory["a", far] = self._far_acceleration(step, start)

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
 from adagen.plan.digits import generic_configuration
+from adagen.plan.order import ends_of
 from adagen.plan.placement import joint_transform, spatial_inertia
 from adagen.plan.robot import PlanJoint, PlanLink
 from adagen.plan.steps import Articulate, FusedJoin, LinkBias
@@ -84,7 +85,7 @@ def joints_in_own_axes(plan: Plan) -> OwnAxes:
     usual |= {step for step in worst if sides[step].usual > ENOUGH}
     fused = any(plan.steps_of(FusedJoin))
     for j, backwards in worst:  # mobilities of fused runs take away most of what is passed to them
-        far = plan.joints[j].parent if backwards else j + 1
+        far = ends_of(plan.joints, j, backwards).far
         if fused or not plan.links[far].mass:
             usual.add((j, backwards))
     always = _with_joints_beyond(plan, steps, usual) | _beside_bare_links(
@@ -137,7 +138,7 @@ def _with_joints_beyond(
     sides = _sides(plan.joints, plan.links, plan.scalar)
     beyond: dict[int, list[tuple[int, bool]]] = {}  # by the link that feels a joint
     for j, backwards in steps:
-        beyond.setdefault(_near(plan, j, backwards), []).append((j, backwards))
+        beyond.setdefault(ends_of(plan.joints, j, backwards).near, []).append((j, backwards))
     found: set[int] = set()
     todo = sorted(losing)
     seen = set(todo)
@@ -145,7 +146,7 @@ def _with_joints_beyond(
         j, backwards = todo.pop()
         if not plan.joints[j].prescribed and plan.joints[j].kind in ("revolute", "prismatic"):
             found.add(j)
-        far = plan.joints[j].parent if backwards else j + 1
+        far = ends_of(plan.joints, j, backwards).far
         if far == 0 or _is_solid(plan.links[far], sides.get((j, backwards)), most):
             continue
         new = [step for step in beyond.get(far, ()) if step not in seen]
@@ -213,12 +214,16 @@ def _pairs(plan: Plan, joints: frozenset[int]) -> list[tuple[int, int]]:
     steps = _articulated(plan)
     found = []
     for j, backwards in steps:
-        far = plan.joints[j].parent if backwards else j + 1
+        far = ends_of(plan.joints, j, backwards).far
         if j not in joints or far == 0:
             continue
         if _is_solid(plan.links[far], sides.get((j, backwards)), most):
             continue
-        found += [(j, c) for c, other in steps if c in joints and _near(plan, c, other) == far]
+        found += [
+            (j, c)
+            for c, other in steps
+            if c in joints and ends_of(plan.joints, c, other).near == far
+        ]
     return found
 
 
@@ -227,10 +232,6 @@ def _articulated(plan: Plan) -> list[tuple[int, bool]]:
     return sorted(
         {(step.joint, step.reversed) for step in plan.all_steps if isinstance(step, Articulate)}
     )
-
-
-def _near(plan: Plan, joint: int, backwards: bool) -> int:
-    return joint + 1 if backwards else plan.joints[joint].parent
 
 
 def _is_solid(link: PlanLink, side: Side | None, most: float) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from adagen.emit import forces
 from adagen.emit.joints.joins import store, torques, velocity_product
 from adagen.emit.symbols import Symbols
+from adagen.plan.order import ends_of
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -16,12 +17,6 @@ from adagen.plan.steps import (
 )
 
 
-def ends(symbols: Symbols, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int]:
-    """The near and the far link of a joint, seen from the segment's root."""
-    parent, child = symbols.plan.joints[step.joint].parent, step.joint + 1
-    return (child, parent) if step.reversed else (parent, child)
-
-
 def of_link(symbols: Symbols, j: int, link: int) -> str:
     """A link's part of the memory, as named in a joint's function (``i`` is its own)."""
     return "i" if link == j + 1 else symbols.link_memory(link)
@@ -31,7 +26,7 @@ def articulate(symbols: Symbols, step: Articulate) -> list[str]:
     """I^A and p^A of the far link, through the joint, onto the near link."""
     j = step.joint
     joint = symbols.plan.joints[j]
-    near, far = ends(symbols, step)
+    near, far = ends_of(symbols.plan.joints, step.joint, step.reversed)
     own, beyond = of_link(symbols, step.joint, near), of_link(symbols, step.joint, far)
     sigma = "-1" if step.reversed else "1"
     inertia, force = f"{beyond}.IA", f"{beyond}.pA"
@@ -103,7 +98,7 @@ def far_acceleration(step: Propagate | Accelerate, near: str, target: str) -> li
 
 def deliver(symbols: Symbols, step: Deliver) -> list[str]:
     """The load on the far link, through the joint, onto the near link."""
-    near, far = ends(symbols, step)
+    near, far = ends_of(symbols.plan.joints, step.joint, step.reversed)
     load = f"{of_link(symbols, step.joint, far)}.load"
     lines = [
         f"auto& i = {symbols.memory(step.joint)};",
@@ -118,7 +113,7 @@ def deliver(symbols: Symbols, step: Deliver) -> list[str]:
 
 def accelerate(symbols: Symbols, step: Accelerate) -> list[str]:
     """Qdd of the joint and the acceleration of its far link."""
-    near, far = ends(symbols, step)
+    near, far = ends_of(symbols.plan.joints, step.joint, step.reversed)
     start = "w.ground" if near == 0 else f"{of_link(symbols, step.joint, near)}.a"
     lines = [f"auto& i = {symbols.memory(step.joint)};"]
     target = f"{of_link(symbols, step.joint, far)}.a"

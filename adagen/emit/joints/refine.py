@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from adagen.emit.joints.articulated import ends, far_acceleration, of_link
+from adagen.emit.joints.articulated import far_acceleration, of_link
 from adagen.emit.joints.fused import reassembly
 from adagen.emit.joints.joins import bias_updates
 from adagen.emit.joints.steps import step_lines
 from adagen.emit.symbols import Symbols
+from adagen.plan.order import ends_of
 from adagen.plan.steps import (
     Articulate,
     FusedJoin,
@@ -62,7 +63,7 @@ def _function(symbols: Symbols, step: Step) -> list[str]:
 
 
 def _rearticulate(symbols: Symbols, step: Articulate) -> list[str]:
-    near, far = ends(symbols, step)
+    near, far = ends_of(symbols.plan.joints, step.joint, step.reversed)
     bias = f"{of_link(symbols, step.joint, far)}.pA"
     if step.reversed:
         bias, sigma = f"wrench_in_child(i.X, {bias})", "-1"
