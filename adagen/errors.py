@@ -14,6 +14,11 @@ class AdagenError(Exception):
 
     status = 3
 
+    @property
+    def reason(self) -> str:
+        """The line without ``error:`` in front of it."""
+        return str(self).removeprefix("error: ")
+
 
 class InputError(AdagenError):
     """The input is at fault; shown as ``file:line: error: message``.

@@ -178,4 +178,4 @@ def _budget(text: str) -> Budget:
     try:
         return parse_budget(text)
     except UsageError as error:
-        raise argparse.ArgumentTypeError(str(error).removeprefix("error: ")) from None
+        raise argparse.ArgumentTypeError(error.reason) from None

@@ -102,7 +102,7 @@ def measure(
         try:
             asked.append(Variant(words, pipeline.request_of(_options(entry, words))))
         except AdagenError as error:
-            absent[f"adagen {words}"] = str(error).removeprefix("error: ")
+            absent[f"adagen {words}"] = error.reason
     others = [name for name in peers if name not in absent]
     with speaking(entry.name) as on_progress:
         found = measured(robot, asked, others, rules, absent, on_progress)

@@ -161,9 +161,7 @@ def _measured(made: Compiled) -> tuple[Measured, Accuracy]:
         line = read_trace(str(trace), names, made.request.procs) if trace.is_file() else None
 
     def run(words: list[str]) -> None:
-        done = launch(executable, processes, words, toolchain, TIMEOUT)
-        if done.status != 0:
-            raise EnvironmentFault(done.stderr.strip().removeprefix("error: "))
+        _ = launch(executable, processes, words, toolchain, TIMEOUT).printed
 
     with speaking("judging answers") as on_progress:
         return _as_measured(report, line), accuracy_of(made, run, on_progress)

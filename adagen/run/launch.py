@@ -46,6 +46,17 @@ class Completed:
     stdout: str
     stderr: str
 
+    @property
+    def printed(self) -> str:
+        """What it printed.
+
+        Raises:
+            EnvironmentFault: it failed; the message is its own.
+        """
+        if self.status != 0:
+            raise EnvironmentFault(self.stderr.strip().removeprefix("error: "))
+        return self.stdout
+
 
 def cores() -> int:
     """Return how many cores this process may use."""

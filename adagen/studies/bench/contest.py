@@ -130,7 +130,7 @@ def hold(
             try:
                 turn = contestant.turn(rules.repeat)
             except AdagenError as error:
-                gone[contestant.name] = str(error).removeprefix("error: ")
+                gone[contestant.name] = error.reason
                 seen.pop(contestant.name, None)
                 continue
             kept = seen.setdefault(contestant.name, {})

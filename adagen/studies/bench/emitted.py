@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.build import Toolchain, build_executable
-from adagen.errors import AdagenError, EnvironmentFault
+from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.run import cores, fresh_copy, launch
 from adagen.states import States, read_result, write_states
@@ -62,10 +62,7 @@ class Emitted:
         program = build_executable(self.text, self.file.removesuffix(".cpp"), toolchain)
 
         def run(words: list[str], program: Path = program) -> str:
-            done = launch(program, self.processes, words, toolchain, TIMEOUT)
-            if done.status != 0:
-                raise EnvironmentFault(done.stderr.strip().removeprefix("error: "))
-            return done.stdout
+            return launch(program, self.processes, words, toolchain, TIMEOUT).printed
 
         def solve(states: States) -> Array:
             with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
@@ -110,7 +107,7 @@ def all_built(
         try:
             return emitted.contestant(toolchain, stretches=stretches)
         except AdagenError as error:
-            return str(error).removeprefix("error: ")
+            return error.reason
         finally:
             done += 1
             on_progress(f"compiling {done} of {len(sources)}")

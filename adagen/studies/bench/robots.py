@@ -78,7 +78,7 @@ def _judged(
         try:
             errors = truth().errors(one.solve(truth().states))
         except AdagenError as error:
-            absent[one.name] = str(error).removeprefix("error: ")
+            absent[one.name] = error.reason
             continue
         rows += [_row(one, what, kept, errors) for what, kept in times[one.name].items()]
     return tuple(rows)

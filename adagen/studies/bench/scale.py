@@ -17,7 +17,7 @@ from time import process_time
 
 from adagen.build import Toolchain, build_executable, find_toolchain
 from adagen.cost import timeline
-from adagen.errors import AdagenError, EnvironmentFault
+from adagen.errors import EnvironmentFault
 from adagen.library import Robot, read
 from adagen.library import compile as compiled
 from adagen.model import Model
@@ -32,7 +32,7 @@ from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, hol
 from adagen.studies.bench.emitted import TIMEOUT, Emitted
 from adagen.studies.bench.figures import chain
 from adagen.studies.bench.machine import machine
-from adagen.studies.bench.peers import contestants, missing
+from adagen.studies.bench.peers import entered
 from adagen.studies.bench.scale_record import (
     CLOCK,
     PREDICTED,
@@ -129,7 +129,7 @@ def _chain(
         for k, count in enumerate(processes, start=1):
             on_progress(f"chain of {joints}: building {k} of {len(processes)} (P={count})")
             solvers.append(made(robot, count, wanted.profile, toolchain))
-        others = _others(model, Path(folder), absent) if wanted.peer else []
+        others = _others(model, Path(folder), absent, on_progress) if wanted.peer else []
         held = [solver.contestant for solver in solvers] + others
         with at_priority(wanted.priority):
             times, gone = hold(
@@ -193,17 +193,14 @@ def _at_speed(
     return replace(profile, steps=replace(profile.steps, cores=(speed,) * most))
 
 
-def _others(model: Model, folder: Path, absent: dict[str, str]) -> list[Contestant]:
-    reason = missing(PEER)
+def _others(
+    model: Model, folder: Path, absent: dict[str, str], on_progress: Progress
+) -> list[Contestant]:
     if model.nv > MOST_OF_PEER:
-        reason = f"its data would hold four tensors of {model.nv}^3 numbers"
-    if reason is None:
-        try:
-            return list(contestants(PEER, model, random_states(model, 64, 1), folder))
-        except AdagenError as error:
-            reason = str(error).removeprefix("error: ")
-    absent[PEER] = reason
-    return []
+        absent[PEER] = f"its data would hold four tensors of {model.nv}^3 numbers"
+        return []
+    states = random_states(model, 64, 1)
+    return entered([PEER], model, states, folder, absent, on_progress)
 
 
 def _rows(
@@ -282,9 +279,7 @@ def measure_batches(file: Path, wanted: Wanted) -> tuple[BatchRow, ...]:
     for _ in range(wanted.rules.rounds):
         with at_priority(wanted.priority):
             done = launch(program, processes, words, toolchain, TIMEOUT)
-        if done.status != 0:
-            raise EnvironmentFault(done.stderr.strip().removeprefix("error: "))
-        for step in json.loads(done.stdout)["time"]["states_per_second"]:
+        for step in json.loads(done.printed)["time"]["states_per_second"]:
             row = BatchRow(1, step["processes"], CLOCK, step["in_place"], step["through_root"])
             seen = best.get(row.processes, row)
             best[row.processes] = replace(

@@ -56,7 +56,7 @@ def built(
         try:
             emitted = _emitted(robot, variant)
         except AdagenError as error:
-            absent[f"adagen {variant.words}"] = str(error).removeprefix("error: ")
+            absent[f"adagen {variant.words}"] = error.reason
             continue
         sources.setdefault(emitted.name, emitted)  # `auto` has often chosen one of the others
     found, gone = all_built(sources, find_toolchain(), on_progress, stretches=True)

@@ -8,11 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from adagen.errors import EnvironmentFault
+from adagen.plan.digits import EPSILON
 from adagen.studies.stability.emitted import Cell, digits
 from adagen.studies.stability.maps import Map
-from adagen.studies.stability.methods import EPSILON
+
+Array = NDArray[np.float64]
 
 _PANELS = (
     "composite bodies",
@@ -22,7 +25,6 @@ _PANELS = (
     "form segment",
     "form segment, refined once",
 )
-_FLOAT_EPSILON = 2.0**-24
 _LEAST, _MOST = 1e-17, 1e2  # smaller errors are drawn at the lower edge, failures at the upper one
 _MARKERS = "os^vDP*X<>h"
 
@@ -63,20 +65,23 @@ def draw_map(found: Map, path: Path) -> None:
     rows, columns = len(found.methods), len(found.values)
     figure = _figure(3.4 + 0.8 * columns, 1.3 + 0.36 * rows)
     axes = figure.add_subplot()
-    table = np.array(found.digits)
-    image = axes.imshow(table, cmap="RdYlGn", vmin=0, vmax=16, aspect="auto")
+    words = [[f"{kept:.0f}" if kept >= 0.5 else "fails" for kept in row] for row in found.digits]
+    image = _digits_table(axes, np.array(found.digits), words, size=9)
     axes.set_xticks(range(columns), [f"{value:g}" for value in found.values])
     axes.set_yticks(range(rows), found.methods)
     axes.set_xlabel(found.axis)
     axes.set_title(f"{found.family}: decimal digits kept", loc="left")
-    for row in range(rows):
-        for column in range(columns):
-            kept = table[row, column]
-            text = f"{kept:.0f}" if kept >= 0.5 else "fails"
-            colour = "white" if kept < 2 or kept > 14.5 else "black"
-            axes.text(column, row, text, ha="center", va="center", fontsize=9, color=colour)
     figure.colorbar(image, label="digits")
     _save(figure, path)
+
+
+def _digits_table(axes: Any, table: Array, words: Sequence[Sequence[str]], size: int) -> Any:
+    """Draw digits as a table from red to green, with words in each cell; return its image."""
+    for row, column in np.ndindex(table.shape):
+        kept, text = table[row, column], words[row][column]
+        colour = "white" if kept < 2 or kept > 14.5 else "black"
+        axes.text(column, row, text, ha="center", va="center", fontsize=size, color=colour)
+    return axes.imshow(table, cmap="RdYlGn", vmin=0, vmax=16, aspect="auto")
 
 
 def draw_conditions(maps: Sequence[Map], path: Path) -> None:
@@ -93,7 +98,7 @@ def draw_conditions(maps: Sequence[Map], path: Path) -> None:
     figure = _figure(11.5, 6.6)
     grid = figure.subplots(2, 3, sharey=True)
     for panel, method in zip(grid.flat, _PANELS, strict=True):
-        epsilon = _FLOAT_EPSILON if "float" in method else EPSILON
+        epsilon = EPSILON["float" if "float" in method else "double"]
         for k, found in enumerate(shown):
             errors = found.errors[found.methods.index(method)]
             panel.loglog(
@@ -155,16 +160,10 @@ def draw_study(cells: Sequence[Cell], path: Path) -> None:
             table[row, column] = digits(cell.error, cell.way.scalar)
     figure = _figure(3.6 + 0.75 * max(len(names), 3), 2.2 + 0.3 * len(kinds))
     axes = figure.add_subplot()
-    image = axes.imshow(table, cmap="RdYlGn", vmin=0, vmax=16, aspect="auto")
+    image = _digits_table(axes, table, words, size=8)
     axes.set_xticks(range(len(names)), names, rotation=35, ha="right")
     axes.set_yticks(range(len(kinds)), [way.words for way in kinds])
     axes.set_title("decimal digits kept by emitted solvers, in the worst state", loc="left")
-    for row, column in np.ndindex(table.shape):
-        kept = table[row, column]
-        colour = "white" if kept < 2 or kept > 14.5 else "black"
-        axes.text(
-            column, row, words[row][column], ha="center", va="center", fontsize=8, color=colour
-        )
     figure.colorbar(image, label="digits")
     _save(figure, path)
 

@@ -28,6 +28,7 @@ from adagen.executor import interpret
 from adagen.graph import DOUBLE, FLOAT
 from adagen.model import Model
 from adagen.plan import Plan, plan_to_json
+from adagen.plan.digits import EPSILON
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.search.objective import FEW, predicted_digits
 from adagen.states import States, random_states
@@ -41,7 +42,6 @@ PROCESSES = (1, 2, 4)
 MEETINGS = ("searched", "joined", "exchanged", "gathered")
 SCALARS = ("double", "float")
 SHAPES = ("kernels", "unrolled", "joints", *BASELINES)
-EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
 
 
 @dataclass(frozen=True)
@@ -233,7 +233,7 @@ class Study:
         try:
             source = source_of(plan, way)
         except AdagenError as error:
-            return replace(cell, why=str(error).removeprefix("error: "))
+            return replace(cell, why=error.reason)
         key = (one.name, hashlib.sha256(source.encode()).hexdigest())
         if key in sources:
             return replace(cell, same=sources[key].words, **_figures(self.cells, one, sources[key]))
@@ -252,7 +252,7 @@ class Study:
         try:
             rows = json.loads(kept_text(texts, "answers.json", self.toolchain, answers))
         except EnvironmentFault as fault:
-            return replace(cell, why=str(fault).removeprefix("error: "))
+            return replace(cell, why=fault.reason)
         judge = _Judge(one, one.truths(plan.scalar, self.toolchain), given)
         every = [None if row is None else np.array(row, dtype=np.float64) for row in rows]
         error, state = judge.largest(every)

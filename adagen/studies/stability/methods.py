@@ -23,7 +23,6 @@ from adagen.studies.stability.robots import state
 from adagen.studies.stability.textbook_methods import articulated, composite, true_acceleration
 
 Array = NDArray[np.float64]
-EPSILON = 2.0**-53
 
 
 @dataclass(frozen=True)

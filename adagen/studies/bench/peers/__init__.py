@@ -71,7 +71,7 @@ def entered(
                 found += contestants(name, model, states, folder)
                 continue
             except AdagenError as error:
-                reason = str(error).removeprefix("error: ")
+                reason = error.reason
         absent[name] = reason
     return found
 
