@@ -57,24 +57,13 @@ def certified(plan: Plan) -> Plan:
         raise UsageError(f"answers cannot be certified: {reason}; leave out --certify")
     if plan.several:
         return _shared(plan)
-    processes = tuple(
-        replace(
-            process,
-            steps=_weighed(plan, process.steps),
-            recovery=_weighed(plan, process.recovery),
-            others=tuple(_weighed(plan, steps) for steps in process.others),
-        )
-        for process in plan.processes
-    )
-    return replace(plan, processes=processes)
 
+    def weighed(steps: tuple[Step, ...]) -> tuple[Step, ...]:
+        """Steps with their certificate: closed loops compute it by a correction not added."""
+        correction = (Correct(0, 0, len(steps)),) if plan.closed else ()
+        return (*steps, *correction, Certify()) if steps else ()
 
-def _weighed(plan: Plan, steps: tuple[Step, ...]) -> tuple[Step, ...]:
-    """Steps with their certificate: closed loops compute it by a correction that is not added."""
-    if not steps:
-        return ()
-    correction = (Correct(0, 0, len(steps)),) if plan.closed else ()
-    return (*steps, *correction, Certify())
+    return replace(plan, processes=tuple(each.changed(weighed) for each in plan.processes))
 
 
 def why_not(plan: Plan) -> str | None:

@@ -88,7 +88,8 @@ class ClosedAdaPlanner(ClusterPlanner):
         for k, loop in enumerate(self.loops):
             ends = set(loop.links)
             if all_of_them or links & ends:
-                steps.append(self._close_loop(k))
+                rows = range(self._firsts[k], self._firsts[k + 1])
+                steps.append(CloseLoop.of(k, 0, rows, self._number))
                 passed |= {link - 1 for link in ends if link > 0}
         for k, coupling in enumerate(self.couplings):
             tied = {j for j, _ in coupling.terms}
@@ -100,12 +101,6 @@ class ClosedAdaPlanner(ClusterPlanner):
         rest = [step for step in process.steps if not isinstance(step, Kinematics)]
         moved = [Kinematics(j) for j in reads]
         return Process((*moved, *steps, *rest), reads, process.owns, process.shares)
-
-    def _close_loop(self, k: int) -> CloseLoop:
-        first, end = self._firsts[k], self._firsts[k + 1]
-        kept = [row for row in range(first, end) if row in self._number]
-        start = self._number[kept[0]] if kept else 0
-        return CloseLoop(k, 0, tuple(row - first for row in kept), start)
 
 
 def _joined(steps: Sequence[Step]) -> set[int]:

@@ -80,10 +80,8 @@ class ClosureElimination:
         """Yield the steps of a closure's constraint rows."""
         own = self._own[number]
         for k in own.closure.loops:
-            first, end = self._firsts[k], self._firsts[k + 1]
-            kept = [row for row in own.forces if first <= row < end]
-            start = own.forces[kept[0]] if kept else 0
-            yield CloseLoop(k, number, tuple(row - first for row in kept), start)
+            rows = range(self._firsts[k], self._firsts[k + 1])
+            yield CloseLoop.of(k, number, rows, own.forces)
         for k in own.closure.couplings:
             yield CloseCoupling(k, number, own.forces.get(self._firsts[len(self.loops) + k]))
 

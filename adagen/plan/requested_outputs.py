@@ -7,7 +7,6 @@ requested; straight lines contain only numbers that are needed.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence, Set
-from dataclasses import replace
 
 from adagen.errors import UsageError
 from adagen.model import INVERSE_INERTIA, LINK_ACCELERATION, REACTION_FORCE, Model
@@ -79,13 +78,7 @@ def with_outputs(
         return tuple(processes)
     more = tuple(GiveOutput(k) for k in range(len(outputs)))
     first, *others = processes
-    given = replace(
-        first,
-        steps=(*first.steps, *more),
-        recovery=(*first.recovery, *more) if first.recovery else (),
-        others=tuple((*other, *more) for other in first.others),
-    )
-    return (given, *others)
+    return (first.changed(lambda steps: (*steps, *more)), *others)
 
 
 def needed_outwards(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import types
+from collections.abc import Iterable
 from dataclasses import fields, is_dataclass
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
@@ -40,23 +41,21 @@ def plan_to_json(plan: Plan) -> str:
 def _processes(plan: Plan) -> str:
     parts = []
     for process in plan.processes:
-        steps = _lines({"step": type(step).__name__, **_encode(step)} for step in process.steps)
         joints = ", ".join(
             f'"{name}": {_dump(list(getattr(process, name)))}'
             for name in ("reads", "owns", "shares")
         )
-        recovery = _lines({"step": type(s).__name__, **_encode(s)} for s in process.recovery)
-        more = f', "recovery": {recovery}' if process.recovery else ""
+        more = f', "recovery": {_steps(process.recovery)}' if process.recovery else ""
         if process.others:
-            each = (
-                _lines({"step": type(s).__name__, **_encode(s)} for s in steps_of)
-                for steps_of in process.others
-            )
-            more += f', "others": [{", ".join(each)}]'
+            more += f', "others": [{", ".join(map(_steps, process.others))}]'
         if process.spares:
             more += f', "spares": {_dump(list(process.spares))}'
-        parts.append(f'{{{joints}, "steps": {steps}{more}}}')
+        parts.append(f'{{{joints}, "steps": {_steps(process.steps)}{more}}}')
     return ",\n".join(parts)
+
+
+def _steps(steps: Iterable[Step]) -> str:
+    return _lines({"step": type(step).__name__, **_encode(step)} for step in steps)
 
 
 def _lines(items: Any) -> str:

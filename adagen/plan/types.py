@@ -6,7 +6,7 @@ name are in adagen/plan/steps/.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import chain
@@ -156,6 +156,15 @@ class Process:
         if not any(issubclass(sort, kinds) for sort in self._sorts):
             return iter(())  # as for most kinds in most processes
         return (step for step in self.steps if isinstance(step, kinds))
+
+    def changed(self, change: Callable[[tuple[Step, ...]], tuple[Step, ...]]) -> Process:
+        """Return it with its steps, and those that replace them if any, changed alike."""
+        return replace(
+            self,
+            steps=change(self.steps),
+            recovery=change(self.recovery) if self.recovery else (),
+            others=tuple(change(steps) for steps in self.others),
+        )
 
     @cached_property
     def _sorts(self) -> frozenset[type]:

@@ -38,16 +38,26 @@ def evenly(weights: Sequence[float], processes: int) -> EvenShares:
         weights: what each limb takes.
         processes: P.
     """
+    shares, loads = heaviest_first(weights, processes)
+    while _exchange(weights, shares, loads):
+        pass
+    given = tuple(tuple(sorted(own)) for own in shares if own)
+    return EvenShares(max(loads, default=0.0), given)
+
+
+def heaviest_first(weights: Sequence[float], processes: int) -> tuple[list[list[int]], list[float]]:
+    """Distribute limbs, the heaviest first, each to who has least.
+
+    Returns:
+        the numbers of each process's limbs, and what they take together.
+    """
     shares: list[list[int]] = [[] for _ in range(processes)]
     loads = [0.0] * processes
     for k in sorted(range(len(weights)), key=lambda k: (-weights[k], k)):
         p = loads.index(min(loads))
         shares[p].append(k)
         loads[p] += weights[k]
-    while _exchange(weights, shares, loads):
-        pass
-    given = tuple(tuple(sorted(own)) for own in shares if own)
-    return EvenShares(max(loads, default=0.0), given)
+    return shares, loads
 
 
 def _exchange(weights: Sequence[float], shares: list[list[int]], loads: list[float]) -> bool:

@@ -17,6 +17,7 @@ from adagen.plan.robot import PlanJoint
 from adagen.plan.types import Process
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.tree import Gathered
+from adagen.search.even_shares import heaviest_first
 
 _OPENED = 6
 """Limbs that are opened one after the other."""
@@ -190,12 +191,7 @@ def layouts_at(
         limbs = around.merged(limbs, together)
         for count in dict.fromkeys((2, min(processes, len(limbs)))):
             if 2 <= count <= min(processes, len(limbs)):
-                owner = {
-                    j: p
-                    for p, share in enumerate(_dealt(limbs, count))
-                    for each in share
-                    for j in each.joints
-                }
+                owner = _owners(limbs, count)
                 yield Gathered(tuple(roots), tuple(owner.get(j) for j in range(len(joints))))
         heavy = max(limbs, key=lambda each: (each.weight, -each.first[0].joint))
         branches = around.opened(heavy)
@@ -222,20 +218,15 @@ def whole_trees(
         first = Edge(min(own), 0, min(own) + 1, reversed=False)
         limbs.append(_Limb((first,), own, sum(weights[j] for j in own)))
     for count in range(2, min(processes, len(trees)) + 1):
-        dealt = enumerate(_dealt(limbs, count))
-        owner = {j: p for p, share in dealt for each in share for j in each.joints}
+        owner = _owners(limbs, count)
         yield Gathered(roots, tuple(owner[j] for j in range(len(joints))))
 
 
-def _dealt(limbs: Sequence[_Limb], count: int) -> list[list[_Limb]]:
-    """Limbs distributed: the heaviest first, each to who has least."""
-    shares: list[list[_Limb]] = [[] for _ in range(count)]
-    loads = [0.0] * count
-    for each in sorted(limbs, key=lambda each: (-each.weight, each.first[0].joint)):
-        p = min(range(count), key=lambda p: (loads[p], p))
-        shares[p].append(each)
-        loads[p] += each.weight
-    return shares
+def _owners(limbs: Sequence[_Limb], count: int) -> dict[int, int]:
+    """The process of each joint, limbs distributed among so many."""
+    limbs = sorted(limbs, key=lambda each: each.first[0].joint)
+    shares, _ = heaviest_first([each.weight for each in limbs], count)
+    return {j: p for p, own in enumerate(shares) for k in own for j in limbs[k].joints}
 
 
 def joint_weights(process: Process, machine: Machine) -> list[float]:

@@ -8,6 +8,7 @@ and are eliminated there. Links above the top are not affected.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -32,6 +33,20 @@ class CloseLoop(InwardStep):
     closure: int
     rows: tuple[int, ...]
     first: int
+
+    @staticmethod
+    def of(loop: int, closure: int, rows: range, numbers: Mapping[int, int]) -> CloseLoop:
+        """Return the step of a loop.
+
+        Args:
+            loop: its number.
+            closure: number of its closure.
+            rows: its rows among all constraints.
+            numbers: of the unknown forces, by rows; those without are redundant.
+        """
+        kept = [row for row in rows if row in numbers]
+        first = numbers[kept[0]] if kept else 0
+        return CloseLoop(loop, closure, tuple(row - rows.start for row in kept), first)
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from adagen.model import Model
 from adagen.reference import forward_dynamics
 from adagen.schedule import load_profile, shipped_fabric
 from adagen.states import States
+from adagen.studies.bench import peers as bench_peers
 from adagen.studies.bench import scale as study
 from adagen.studies.bench.contest import Contestant, Rules, Turn
 from adagen.studies.bench.scale import Wanted, measure_chains, predicted_batches
@@ -169,8 +170,8 @@ def test_the_fastest_peer_stands_beside_and_long_chains_go_without(
             for ns in (900.0, 800.0)
         ]
 
-    monkeypatch.setattr(study, "missing", lambda _name: None)
-    monkeypatch.setattr(study, "contestants", peers)
+    monkeypatch.setattr(bench_peers, "missing", lambda _name: None)
+    monkeypatch.setattr(bench_peers, "contestants", peers)
     monkeypatch.setattr(study, "MOST_OF_PEER", 8)
     wanted = Wanted([(8, (1,)), (16, (1,))], Rules(rounds=1, repeat=1))
     found = measure_chains(wanted, lambda _text: None)
