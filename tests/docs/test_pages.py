@@ -16,6 +16,7 @@ from tests.docs.blocks import PAGES, ROOT
 PICTURES = ROOT / "docs" / "records" / "pictures"
 QUOTED = r"<!-- quoted: (\S+) -->\n```cpp\n(.*?)```"
 LINK = re.compile(r"\]\(([^)\s]+)\)")
+FILE = re.compile(r"\b(?:adagen|templates|tests|benchmarks|generated_examples)/[\w/.*-]+\.\w+")
 
 
 def anchors(page: Path) -> set[str]:
@@ -33,6 +34,14 @@ def test_links_lead_somewhere(page: Path) -> None:
         target = (page.parent / name).resolve() if name else page
         assert target.exists(), link
         assert not anchor or anchor in anchors(target), link
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_files_that_are_named_are_there(page: Path) -> None:
+    for name in FILE.findall(page.read_text(encoding="utf-8")):
+        pattern = name.replace("SHAPE", "*")
+        places = (ROOT, ROOT / "templates" / "include")
+        assert any(any(place.glob(pattern)) for place in places), name
 
 
 def test_quoted_code_is_what_is_emitted() -> None:
