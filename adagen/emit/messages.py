@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from adagen.emit.symbols import Symbols
 from adagen.executor import simulate
-from adagen.plan.types import CERTIFICATE, ENERGIES, Message
+from adagen.plan.messages import CERTIFICATE, ENERGIES, Message
 from adagen.program.lower import LOOPS
 from adagen.program.own_axes import own_axes_in_loops
 

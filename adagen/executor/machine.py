@@ -28,6 +28,7 @@ from adagen.executor.repeatable import Repeatable
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining
 from adagen.graph import Expression, Graph, Numbers, total
+from adagen.plan.messages import CERTIFICATE, ENERGIES, Message
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Accelerate,
@@ -53,7 +54,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import CERTIFICATE, ENERGIES, Message, Plan
+from adagen.plan.types import Plan
 
 Array = NDArray[Any]
 RECEIVED = "w.from"

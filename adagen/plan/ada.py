@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 
 from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Fusions, Run
+from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import (
     ApplyCoupling,
@@ -33,7 +34,7 @@ from adagen.plan.steps import (
     SolveCoupling,
     Step,
 )
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.schedule import Node, Schedule, postorder
 from adagen.schedule.tree import Gathered
 

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from adagen.errors import UsageError
 from adagen.plan.closure_steps import nothing_moves
+from adagen.plan.messages import CERTIFICATE, Message
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -37,7 +38,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import CERTIFICATE, Message, Plan, Process
+from adagen.plan.types import Plan, Process
 
 ROUNDING = 8.0
 """How many units in the last place of what is added up count as uncertain."""

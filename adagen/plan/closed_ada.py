@@ -16,6 +16,7 @@ from adagen.model.fuse import Run
 from adagen.plan.closures import Closure
 from adagen.plan.clusters import ClusterPlanner
 from adagen.plan.edges import on_the_way
+from adagen.plan.messages import Message
 from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, first_rows
 from adagen.plan.steps import (
     Articulate,
@@ -28,7 +29,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.schedule import Schedule
 
 

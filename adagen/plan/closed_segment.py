@@ -24,6 +24,7 @@ from adagen.plan.gather import exchange, sides_of, trees_of
 from adagen.plan.gather_steps import ProcessSteps
 from adagen.plan.gather_trees import Tree
 from adagen.plan.independent_coordinates import LARGE
+from adagen.plan.messages import Message
 from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, bound_by_loops
 from adagen.plan.steps import (
     Accelerate,
@@ -38,7 +39,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.schedule import Schedule
 from adagen.schedule.tree import Gathered
 

@@ -23,6 +23,7 @@ from adagen.errors import UsageError
 from adagen.plan.ada import Chain, assembled
 from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Run
+from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint, slaved_joint
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.sent_passages import can_send_passage
@@ -38,7 +39,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.schedule import Node, Schedule, postorder
 
 

@@ -22,11 +22,12 @@ from dataclasses import replace
 from adagen.errors import InputError
 from adagen.plan.gather_steps import ProcessSteps, about, contribution
 from adagen.plan.gather_trees import Tree, given_trees, laid_out_trees
+from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.sent_passages import inner_runs, with_sent_passages
 from adagen.plan.steps import Step
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.schedule import postorder
 from adagen.schedule.tree import Gathered
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from adagen.plan.edges import Edge, edges_from, joints_at, on_the_way
 from adagen.plan.gather_trees import Tree
+from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import Component, mobility_steps
 from adagen.plan.steps import (
@@ -33,7 +34,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from adagen.errors import UsageError
+from adagen.plan.messages import ENERGIES, Message
 from adagen.plan.steps import (
     Correct,
     FusedJoin,
@@ -21,7 +22,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import ENERGIES, Message, Plan, Process
+from adagen.plan.types import Plan, Process
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,10 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from adagen.plan.gather_trees import Tree
+from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import Arrive, Kinematics, Passage, Receive, Send, Step, Traverse
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 
 PASSED = frozenset({"revolute", "spherical"})
 """Kinds of joints whose passages are computed in registers."""

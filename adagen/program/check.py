@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import zip_longest
 
+from adagen.plan.messages import ENERGIES
 from adagen.plan.order import ends_of
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.steps import (
@@ -30,7 +31,7 @@ from adagen.plan.steps import (
     Traverse,
 )
 from adagen.plan.turns import by_turns
-from adagen.plan.types import ENERGIES, Plan
+from adagen.plan.types import Plan
 from adagen.program.effects import Effects, Place, added_by, contents, effects, joined_runs
 from adagen.program.message_reuse import overwritten
 from adagen.program.names import PREPARES

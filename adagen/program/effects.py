@@ -22,6 +22,7 @@ from dataclasses import dataclass
 
 from adagen.model import LINK_ACCELERATION, REACTION_FORCE
 from adagen.plan.edges import is_base
+from adagen.plan.messages import CERTIFICATE, ENERGIES, Message
 from adagen.plan.order import ends_of
 from adagen.plan.steps import (
     Accelerate,
@@ -69,7 +70,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import CERTIFICATE, ENERGIES, Message, Plan
+from adagen.plan.types import Plan
 
 Place = Block | Bias | Force | Passage | tuple[str, int]
 

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from adagen.plan.messages import Message
 from adagen.plan.steps import Receive, Send
 from adagen.plan.turns import by_turns
-from adagen.plan.types import Message
 from adagen.program.types import Operation
 
 SLOTS = 2

@@ -15,11 +15,12 @@ from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
+from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.stages import stages
 from adagen.plan.steps import Kinematics, Receive, Send
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.program import Operation
 from adagen.program.loops import Loops
 from adagen.program.names import PASSING

@@ -13,9 +13,10 @@ from adagen.cost import operation_features, step_features, timeline
 from adagen.emit.predicted import predict, priced_program
 from adagen.model.kinds import KINDS, REVOLUTE
 from adagen.plan import Plan, make_plan
+from adagen.plan.messages import Message
 from adagen.plan.stages import stages
 from adagen.plan.steps import Articulate, Receive, Send
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.schedule import Topology, load_profile
 from adagen.schedule.costs import NAMES
 from adagen.search import find_schedule

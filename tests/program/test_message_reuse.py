@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
+from adagen.plan.messages import Message
 from adagen.plan.steps import Receive, Send, Step
-from adagen.plan.types import Message
 from adagen.program import ProgramError, check
 from adagen.program.message_reuse import SLOTS, overwritten
 from adagen.program.types import Operation

@@ -15,6 +15,7 @@ from adagen.emit.messages import (
 )
 from adagen.emit.stages import stamped
 from adagen.emit.symbols import Symbols
+from adagen.plan.messages import Message
 from adagen.plan.steps import (
     AccelerateRoot,
     ApplyCoupling,
@@ -28,7 +29,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.program import Operation
 
 

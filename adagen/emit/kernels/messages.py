@@ -13,8 +13,9 @@ from adagen.emit.messages import (
     send_lines,
 )
 from adagen.emit.symbols import Symbols
+from adagen.plan.messages import Message
 from adagen.plan.steps import Receive, Send
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.program import Operation
 
 

@@ -10,8 +10,9 @@ from adagen.emit.kernels.messages import exchanged
 from adagen.emit.messages import describe_message, send_lines
 from adagen.emit.symbols import Symbols
 from adagen.plan.limb_spread import spread
+from adagen.plan.messages import CERTIFICATE
 from adagen.plan.steps import Certify
-from adagen.plan.types import CERTIFICATE, Process
+from adagen.plan.types import Process
 from adagen.program import Operation
 
 

@@ -20,11 +20,12 @@ from adagen.plan import Plan
 from adagen.plan.certificate import ROUNDING, own_links
 from adagen.plan.digits import EPSILON
 from adagen.plan.edges import is_base
+from adagen.plan.messages import CERTIFICATE
 from adagen.plan.own_axes import ENOUGH, OwnAxes
 from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Join
-from adagen.plan.types import CERTIFICATE, Process
+from adagen.plan.types import Process
 from adagen.program.lower import LOOPS, lower
 from adagen.program.own_axes import own_axes_in_loops
 from adagen.program.slots import Slots
