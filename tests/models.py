@@ -323,3 +323,13 @@ def motion_capture_figure() -> Model:
             above, place = part.name, np.zeros(3)
         ends[name] = (above, tip)
     return assemble("motion_capture_figure", parts, floating=True)
+
+
+def random_configuration(model: Model, rng: np.random.Generator) -> Array:
+    """Return entries of q between -1 and 1, its quaternions of length one."""
+    q = rng.uniform(-1, 1, model.nq)
+    for joint, start in zip(model.joints, model.q_start, strict=True):
+        if joint.kind.quaternion is not None:
+            part = slice(start + joint.kind.quaternion, start + joint.kind.nq)
+            q[part] /= np.linalg.norm(q[part])
+    return q

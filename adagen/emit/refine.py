@@ -7,7 +7,14 @@ from collections.abc import Iterable
 from adagen.emit.symbols import Symbols
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
-from adagen.plan.refine import exchanges, handed_on, joints_at, links_of_process, moving, paths_of
+from adagen.plan.refine import (
+    exchanges,
+    handed_on,
+    joints_around,
+    links_of_process,
+    moving,
+    paths_of,
+)
 from adagen.plan.types import Plan, Process
 
 MOST_STEPS = 9
@@ -70,7 +77,7 @@ def refinement_values(
 
 def _tables(plan: Plan, process: Process) -> list[list[int]]:
     """The tables of a RefinedProcess in the order of its members."""
-    path, at = paths_of(plan, process), joints_at(plan, process)
+    path, at = paths_of(plan, process), joints_around(plan, process)
     slaved = sorted(set(plan.slaved).intersection({*path, *process.owns}))
     runs = handed_on(process)
     inner = [j for j, _ in runs]

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from adagen.model.kinds import JointKind
 from adagen.model.links import Frame, Link
 from adagen.model.loops import Coupling, Loop
+from adagen.model.paths import joints_on_links
 
 Array = NDArray[np.float64]
 
@@ -202,10 +203,7 @@ class Model:
     @cached_property
     def children(self) -> tuple[tuple[int, ...], ...]:
         """For each link the joints that it is the parent of, ascending; length N + 1."""
-        below: list[list[int]] = [[] for _ in self.links]
-        for j, joint in enumerate(self.joints):
-            below[joint.parent].append(j)
-        return tuple(tuple(joints) for joints in below)
+        return joints_on_links(self.joints)
 
     def with_gravity(self, gravity: Array) -> Model:
         """Return the same robot under another gravity, shape (3,), m/s^2."""

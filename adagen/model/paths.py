@@ -15,6 +15,14 @@ class HasParent(Protocol):
         raise NotImplementedError
 
 
+def joints_on_links(joints: Sequence[HasParent]) -> tuple[tuple[int, ...], ...]:
+    """Return the joints that hang on each link, the ground first, ascending."""
+    found: list[list[int]] = [[] for _ in range(len(joints) + 1)]
+    for j, joint in enumerate(joints):
+        found[joint.parent].append(j)
+    return tuple(map(tuple, found))
+
+
 def path_to_ground(joints: Sequence[HasParent], link: int) -> list[int]:
     """Return the joints from a link inwards to the ground."""
     found = []

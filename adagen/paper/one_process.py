@@ -13,7 +13,6 @@ d1 and d2 costs q(d1 + d2 - 2) on top of what every order pays. Hence, q not dec
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from itertools import pairwise
 
 from adagen.paper.contraction import MOST_BRANCHES, Merge, TooManyBranches
@@ -141,8 +140,7 @@ class SingleProcess:
         for p in steiner:
             for link in (parent[p], p + 1):
                 degree[link] = degree.get(link, 0) + 1
-        order = outward(chains, inside, degree)
-        order.reverse()
+        order = [p for p, _, _ in reversed(chains.outwards(inside, sorted(degree)))]
         order += self._contract(steiner, degree)
         return [chains.original[p] for p in order]
 
@@ -205,20 +203,3 @@ def _run(
             return run, None
         before, at, run = at, onward[0][0], run + onward[0][1]
     return run, at
-
-
-def outward(chains: Chains, inside: list[int], start: Collection[int]) -> list[int]:
-    """Return positions depth first, beginning at the links given and keeping to those inside."""
-    at: dict[int, list[int]] = {}
-    for p in inside:
-        at.setdefault(chains.parent[p], []).append(p)
-        at.setdefault(p + 1, []).append(p)
-    order: list[int] = []
-    for first in sorted(start):
-        stack = [(p, first) for p in reversed(at.get(first, []))]
-        while stack:
-            p, near = stack.pop()
-            order.append(p)
-            far = p + 1 if near == chains.parent[p] else chains.parent[p]
-            stack += [(x, far) for x in reversed(at[far]) if x != p]
-    return order

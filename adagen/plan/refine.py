@@ -58,7 +58,7 @@ def handed_on(process: Process) -> tuple[tuple[int, int], ...]:
     return tuple(pair for run in runs for pair in reversed(list(pairwise(run))))
 
 
-def joints_at(plan: Plan, process: Process) -> tuple[int, ...]:
+def joints_around(plan: Plan, process: Process) -> tuple[int, ...]:
     """Return the joints at these links and in their runs, ascending; some belong to others."""
     links = set(links_of_process(process))
     at = {j for j, joint in enumerate(plan.joints) if joint.parent in links or j + 1 in links}
@@ -185,7 +185,7 @@ def refinable(plan: Plan) -> Plan:
     if plan.wrenches:
         raise UsageError("outer forces cannot be refined; leave --refine out")
     processes = tuple(
-        replace(process, reads=tuple(sorted({*process.reads, *joints_at(plan, process)})))
+        replace(process, reads=tuple(sorted({*process.reads, *joints_around(plan, process)})))
         for process in plan.processes
     )
     return replace(plan, processes=processes)
@@ -197,7 +197,7 @@ def exchanges(plan: Plan) -> tuple[Exchange, ...]:
     for p, source in enumerate(plan.processes):
         for t, target in enumerate(plan.processes):
             accelerations = tuple(sorted(set(moving(plan, target)).intersection(source.owns)))
-            forces = tuple(sorted(set(joints_at(plan, target)).intersection(source.owns)))
+            forces = tuple(sorted(set(joints_around(plan, target)).intersection(source.owns)))
             if p != t and (accelerations or forces):
                 found.append(Exchange(p, t, accelerations, forces))
     return tuple(found)

@@ -13,7 +13,7 @@ from itertools import chain
 from typing import Any, TypeVar, overload
 
 from adagen.model.kinds import KINDS
-from adagen.model.paths import paths_to_ground
+from adagen.model.paths import joints_on_links, paths_to_ground
 from adagen.plan.messages import Message
 from adagen.plan.robot import (
     OPTIONAL,
@@ -243,10 +243,7 @@ class Plan:
     @cached_property
     def children(self) -> tuple[tuple[int, ...], ...]:
         """For each link the joints that it is the parent of, ascending."""
-        below: list[list[int]] = [[] for _ in self.links]
-        for j, joint in enumerate(self.joints):
-            below[joint.parent].append(j)
-        return tuple(map(tuple, below))
+        return joints_on_links(self.joints)
 
     @property
     def threads(self) -> bool:

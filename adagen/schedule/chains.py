@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from adagen.errors import InputError
@@ -24,6 +25,9 @@ class Chain(NamedTuple):
 
 WHOLE = Chain(0, ())
 """The whole robot: no boundary."""
+
+Outwards = tuple[int, int, int]
+"""A position, its link nearer to a root, and the other one."""
 
 
 class Chains:
@@ -138,6 +142,27 @@ class Chains:
         while link != top:
             found.append(link - 1)
             link = self.parent[link - 1]
+        return found
+
+    def outwards(self, positions: Iterable[int], roots: Iterable[int]) -> list[Outwards]:
+        """Return joints depth first from links, at each one in the order given.
+
+        Args:
+            positions: of the joints that are walked through.
+            roots: links, from each of which all that it leads to is walked.
+        """
+        at: dict[int, list[int]] = {}
+        for p in positions:
+            at.setdefault(self.parent[p], []).append(p)
+            at.setdefault(p + 1, []).append(p)
+        found: list[Outwards] = []
+        for root in roots:
+            waiting = [(p, root) for p in reversed(at.get(root, []))]
+            while waiting:
+                p, near = waiting.pop()
+                far = p + 1 if self.parent[p] == near else self.parent[p]
+                found.append((p, near, far))
+                waiting += [(other, far) for other in reversed(at[far]) if other != p]
         return found
 
     def meet(self, a: int, b: int) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from adagen.schedule.chains import Chains
+from adagen.schedule.chains import Chains, Outwards
 
 
 class Way(NamedTuple):
@@ -44,32 +44,13 @@ def way_between(chains: Chains, root: int, handles: Sequence[int], above: int = 
     for link in handles if above >= 0 else ():
         top = chains.meet(top, link)
     joints = {p for link in (*handles, root) for p in chains.above(link, top)}
-    edges = _outwards(chains, joints, root)
+    edges = chains.outwards(sorted(joints, key=lambda p: chains.original[p]), [root])
     loaded = {near for _, near, _ in edges} | set(handles)
     spreads = _spreads(edges, root, set(handles))
     return Way(root, tuple(p for p, _, _ in edges), turned, spreads, len(loaded - {0}))
 
 
-_Edge = tuple[int, int, int]  # position, its link nearer to the root, the other one
-
-
-def _outwards(chains: Chains, joints: set[int], root: int) -> list[_Edge]:
-    """Return joints depth-first from a link, at each one in the order of the robot's joints."""
-    at: dict[int, list[int]] = {}
-    for p in sorted(joints, key=lambda p: chains.original[p]):
-        at.setdefault(chains.parent[p], []).append(p)
-        at.setdefault(p + 1, []).append(p)
-    edges: list[_Edge] = []
-    waiting = [(p, root) for p in reversed(at.get(root, []))]
-    while waiting:
-        p, near = waiting.pop()
-        far = p + 1 if chains.parent[p] == near else chains.parent[p]
-        edges.append((p, near, far))
-        waiting += [(other, far) for other in reversed(at[far]) if other != p]
-    return edges
-
-
-def _spreads(edges: Sequence[_Edge], root: int, handles: set[int]) -> int:
+def _spreads(edges: Sequence[Outwards], root: int, handles: set[int]) -> int:
     """Return how many couplings are carried outwards.
 
     Kept are those with handles, and with links where the path parts until its last branch.

@@ -11,7 +11,6 @@ from typing import get_args
 
 from adagen.errors import UsageError
 from adagen.paper.bounds import Rules
-from adagen.paper.one_process import outward
 from adagen.paper.successors import Space
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.profile import TICKS, CostProfile
@@ -148,8 +147,8 @@ def _from(chains: Chains, first: int) -> Draft:
     joint left around them is then the one that leads to the first.
     """
     inside = [p for p in range(len(chains.original)) if p != first]
-    order = [first, *outward(chains, inside, [chains.parent[first], first + 1])]
-    order.reverse()
+    beyond = chains.outwards(inside, [chains.parent[first], first + 1])
+    order = [*(p for p, _, _ in reversed(beyond)), first]
     draft = Draft(len(order))
     draft.root = draft.contract(chains.topology, [chains.original[p] for p in order])
     return draft

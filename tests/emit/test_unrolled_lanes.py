@@ -12,10 +12,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from adagen.executor import grouping_of, interpret, simulate, straight_line
+from adagen.executor import Grouping, grouping_of, interpret, simulate, straight_line
 from adagen.executor.lane_frames import aligned, unlike
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Model
-from adagen.plan import make_plan
+from adagen.plan import Plan, make_plan
 from adagen.plan.simd_groups import Limbs
 from adagen.states import random_states, write_states
 from tests.emit.limbs import alike
@@ -28,6 +28,15 @@ KINDS = st.lists(st.sampled_from([REVOLUTE, PRISMATIC, SPHERICAL]), min_size=1, 
 CLANG = pytest.param(
     "clang++", marks=pytest.mark.skipif(shutil.which("clang++") is None, reason="no clang++")
 )
+
+
+def assert_lanes_agree(model: Model, plan: Plan, grouping: Grouping, seed: int) -> None:
+    """The answer with limbs in lanes is the one without."""
+    state = next(iter(random_states(model, 1, seed=seed % 1000).each))
+    expected = interpret(plan, *state)
+    found = interpret(plan, *state, lanes=grouping)
+    size = max(1.0, float(np.abs(expected).max()))
+    np.testing.assert_allclose(found / size, expected / size, atol=1e-12)
 
 
 @settings(max_examples=25)
@@ -56,13 +65,7 @@ def test_limbs_in_lanes_move_as_single_ones(
     robot = alike(rng, count, kinds, trunk=trunk, floating=floating, oblique=oblique, beside=beside)
     model = with_wrenches(robot.model, rng, 2) if pushed else robot.model
     plan = plan_of(model, 1)
-    grouping = ((robot.limbs(plan),),)
-    states = random_states(model, 1, seed=seed % 1000)
-    state = states.q[0], states.v[0], states.tau[0]
-    expected = interpret(plan, *state)
-    found = interpret(plan, *state, lanes=grouping)
-    size = max(1.0, float(np.abs(expected).max()))
-    np.testing.assert_allclose(found / size, expected / size, atol=1e-12)
+    assert_lanes_agree(model, plan, ((robot.limbs(plan),),), seed)
 
 
 @settings(max_examples=12)
@@ -73,12 +76,7 @@ def test_each_process_has_limbs_of_its_own(count: int, processes: int, seed: int
     plan = make_plan(model, random_schedule(model, processes, rng), form="segment")
     grouping = grouping_of(plan)
     assume(any(grouping))
-    states = random_states(model, 1, seed=seed % 1000)
-    state = states.q[0], states.v[0], states.tau[0]
-    expected = interpret(plan, *state)
-    found = interpret(plan, *state, lanes=grouping)
-    size = max(1.0, float(np.abs(expected).max()))
-    np.testing.assert_allclose(found / size, expected / size, atol=1e-12)
+    assert_lanes_agree(model, plan, grouping, seed)
 
 
 def test_prescribed_motions_go_together_with_their_like() -> None:

@@ -17,7 +17,7 @@ from adagen.reference import (
     potential_energy,
 )
 from tests.emitted import plan_of
-from tests.models import human_figure, random_tree, serial_chain
+from tests.models import human_figure, random_configuration, random_tree, serial_chain
 
 SEEDS = range(6)
 
@@ -28,11 +28,7 @@ def tree(seed: int, floating: bool = False) -> Model:
 
 def state(model: Model, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     rng = np.random.default_rng(seed)
-    q = rng.uniform(-1, 1, model.nq)
-    for joint, start in zip(model.joints, model.q_start, strict=True):
-        if joint.kind.quaternion is not None:
-            part = slice(start + joint.kind.quaternion, start + joint.kind.nq)
-            q[part] /= np.linalg.norm(q[part])
+    q = random_configuration(model, rng)
     return q, rng.normal(size=model.nv), rng.normal(size=model.nv)
 
 

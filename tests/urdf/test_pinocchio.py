@@ -11,6 +11,7 @@ import pytest
 from adagen.model import Model
 from adagen.reference import forward_dynamics
 from adagen.urdf import read_robot
+from tests.models import random_configuration
 from tests.real import real_robot
 
 pin = pytest.importorskip("pinocchio")
@@ -57,21 +58,12 @@ def test_same_accelerations(name: str, floating: bool) -> None:
     path = real_robot(ROBOTS[name])
     ours, other = read_robot(path, floating=floating).model, theirs(path, floating)
     rng = np.random.default_rng(1)
-    angles = _configuration(ours, rng)
+    angles = random_configuration(ours, rng)
     v, tau = rng.normal(size=ours.nv), rng.normal(size=ours.nv)
     found = forward_dynamics(ours, angles, v, tau)
     q = _pinocchio_configuration(other, ours, angles)
     true = pin.aba(other, other.createData(), q, v, tau)
     assert found == pytest.approx(true, rel=1e-8, abs=1e-8 * float(np.max(np.abs(true))))
-
-
-def _configuration(model: Model, rng: np.random.Generator) -> Any:
-    q = rng.uniform(-1, 1, model.nq)
-    for joint, start in zip(model.joints, model.q_start, strict=True):
-        if joint.kind.quaternion is not None:
-            part = slice(start + joint.kind.quaternion, start + joint.kind.nq)
-            q[part] /= np.linalg.norm(q[part])
-    return q
 
 
 def _pinocchio_configuration(other: Any, ours: Model, q: Any) -> Any:
