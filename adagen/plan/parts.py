@@ -90,13 +90,10 @@ def swept_first(steps: Sequence[Step]) -> list[Step]:
     first_message = next(
         (k for k, s in enumerate(steps) if isinstance(s, Send | Receive)), len(steps)
     )
-    return [*sorted(steps[:first_message], key=_turn), *steps[first_message:]]
-
-
-def _turn(step: Step) -> int:
-    turns: tuple[tuple[type, ...], ...]
-    turns = ((StartLink, FreeBase), (Articulate,), (InvertRoot,), (Propagate,))
-    return next((k for k, kinds in enumerate(turns) if isinstance(step, kinds)), len(turns))
+    swept = _by_kinds(
+        steps[:first_message], (StartLink, FreeBase), (Articulate,), (InvertRoot,), (Propagate,)
+    )
+    return [*swept, *steps[first_message:]]
 
 
 def released_first(steps: Sequence[Step]) -> list[Step]:
@@ -105,13 +102,17 @@ def released_first(steps: Sequence[Step]) -> list[Step]:
     The accelerations of their joints come last, as no step waits for them.
     """
     begun = next((k for k, s in enumerate(steps) if isinstance(s, Disassemble)), len(steps))
-    return [*steps[:begun], *sorted(steps[begun:], key=_turn_outwards)]
+    released = _by_kinds(steps[begun:], (Disassemble,), (Load,), (Deliver,), (AccelerateRoot,))
+    return [*steps[:begun], *released]
 
 
-def _turn_outwards(step: Step) -> int:
-    turns: tuple[tuple[type, ...], ...]
-    turns = ((Disassemble,), (Load,), (Deliver,), (AccelerateRoot,))
-    return next((k for k, kinds in enumerate(turns) if isinstance(step, kinds)), len(turns))
+def _by_kinds(steps: Sequence[Step], *turns: tuple[type, ...]) -> list[Step]:
+    """Steps of some kinds in turn, then those of all others."""
+
+    def turn(step: Step) -> int:
+        return next((k for k, kinds in enumerate(turns) if isinstance(step, kinds)), len(turns))
+
+    return sorted(steps, key=turn)
 
 
 def pairs_of(count: int) -> Iterator[tuple[int, int]]:
