@@ -1,4 +1,4 @@
-"""Textbook algorithms as loops over any tree, to compare with (their templates contain them)."""
+"""Textbook algorithms as loops over any tree, to compare with (baseline.cpp.j2)."""
 
 from __future__ import annotations
 
@@ -23,6 +23,6 @@ def why_not(plan: Plan) -> str | None:
 
 
 def values(_: Symbols) -> dict[str, object]:
-    """Return the values of the templates of baselines: their runtime headers."""
+    """Return the values of baseline.cpp.j2: its runtime headers."""
     runtime = ["spatial.hpp", "failures.hpp", "joins.hpp"]
     return {"runtime": [*runtime, "inertia.hpp", "articulated.hpp"]}

@@ -33,7 +33,7 @@ class Shape:
 
     Attributes:
         why_not: says why a plan cannot be emitted in it; None where it can.
-        values: what its template (SHAPE.cpp.j2: functions and processes) needs.
+        values: what its template (SHAPE.cpp.j2 or baseline.cpp.j2: functions and processes) needs.
     """
 
     why_not: Callable[[Plan], str | None]
