@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import dataclasses
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import long_note
 from adagen.cli.parser import Parser, among, listed, make_parser, parse, whole
-from adagen.cli.scale import add_scale, check_scale, draw, run_scale
+from adagen.cli.scale import add_scale, check_scale, give, run_scale
 from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
@@ -46,6 +44,7 @@ def run(argv: Sequence[str]) -> int:
         return run_scale(options)
     from adagen.cli.contest import Entry, contest
     from adagen.studies.bench.contest import Rules
+    from adagen.studies.bench.report import markdown
     from adagen.studies.bench.variants import VARIANTS
 
     rules = Rules(rounds=3, repeat=5) if options.quick else Rules(options.rounds)
@@ -55,12 +54,7 @@ def run(argv: Sequence[str]) -> int:
     entries = [Entry(Path(path).stem, Path(path), tuple(extra)) for path in options.models]
     peers = PEERS if options.peers is None else options.peers
     record = contest(entries, rules, variants, peers)
-    if options.json:
-        print(json.dumps(dataclasses.asdict(record), indent=1))
-    else:
-        _show(record)
-    if options.out is not None:
-        publish(record, options.out)
+    give(record, options, _show, "bench", markdown)
     return 0
 
 
@@ -129,18 +123,3 @@ def _show(record: Record) -> None:
         console.print(table_of(_HEADS, details(model), title=title, whole=True))
         for name, reason in model.absent.items():
             long_note(f"{model.name}: without {name}: {reason}")
-
-
-def publish(record: Record, folder: Path) -> None:
-    """Write a record, its tables and, where matplotlib is installed, its pictures.
-
-    Raises:
-        EnvironmentFault: writing failed.
-    """
-    from adagen.atomic_files import write_files
-    from adagen.studies.bench.report import markdown
-    from adagen.studies.records import write_record
-
-    write_files(folder, {"bench.md": markdown(record)})
-    write_record(record, folder / "bench.json")
-    draw(record, folder)

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import dataclasses
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -46,12 +44,12 @@ def chart_motion(options: argparse.Namespace) -> None:
 
 
 def _write(chart: MotionChart, options: argparse.Namespace) -> None:
-    from adagen.cli.files import write_file
+    from adagen.studies.records import write_record
 
     options.out.mkdir(parents=True, exist_ok=True)
     path = options.out / f"chart_motion_{Path(options.model).stem}"
     paths = [path.with_name(f"{path.name}.json")]
-    write_file(paths[0], json.dumps(dataclasses.asdict(chart), indent=1) + "\n")
+    write_record(chart, paths[0])
     if options.picture:
         from adagen.studies.chart.draw import save
         from adagen.studies.chart.draw_motion import motion_picture

@@ -8,7 +8,7 @@ import json
 import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from adagen.cli.console import note, speaking, wrote
 from adagen.cli.parser import Parser, listed, whole
@@ -28,6 +28,8 @@ QUICK = (32, 64), (1, 2)
 OF_BATCHES = 16
 """Joints of the chain whose batches are timed where no robot is named."""
 PEER = "pinocchio"
+Result = TypeVar("Result", bound="Record | Scale")
+
 RECORD = "scale.json"
 
 
@@ -102,6 +104,7 @@ def run_scale(options: argparse.Namespace) -> int:
     """
     from adagen.schedule import load_profile, read_fabric, shipped_fabric
     from adagen.studies.bench.scale import measure_chains
+    from adagen.studies.bench.scale_report import markdown
 
     profile = load_profile(options.profile)
     if profile.steps is None:
@@ -114,12 +117,7 @@ def run_scale(options: argparse.Namespace) -> int:
         scale = _with_batches(scale, options, wanted, on_progress, fabric, profile.steps)
     for name, why in scale.absent.items():
         note(f"without {name}: {why}")
-    if options.json:
-        print(json.dumps(dataclasses.asdict(scale), indent=1))
-    else:
-        _show(scale)
-    if options.out is not None:
-        publish(scale, options.out)
+    give(scale, options, _show, "scale", markdown)
     return 0
 
 
@@ -202,19 +200,36 @@ def _show(scale: Scale) -> None:
     console.print(table_of(BATCHES, batches(scale), title=title, named=False))
 
 
-def publish(scale: Scale, folder: Path) -> None:
-    """Write a record, its tables and, where matplotlib is installed, its pictures.
+def give(
+    record: Result,
+    options: argparse.Namespace,
+    show: Callable[[Result], None],
+    name: str,
+    markdown: Callable[[Result], str],
+) -> None:
+    """Print a record; with --out also write it, its tables and its pictures.
+
+    Args:
+        record: what was measured.
+        options: of the command: ``json`` and ``out``.
+        show: prints its tables.
+        name: of the files, without ending.
+        markdown: its tables as text.
 
     Raises:
         EnvironmentFault: writing failed.
     """
-    from adagen.atomic_files import write_files
-    from adagen.studies.bench.scale_report import markdown
-    from adagen.studies.records import write_record
+    if options.json:
+        print(json.dumps(dataclasses.asdict(record), indent=1))
+    else:
+        show(record)
+    if options.out is not None:
+        from adagen.atomic_files import write_files
+        from adagen.studies.records import write_record
 
-    write_files(folder, {"scale.md": markdown(scale)})
-    write_record(scale, folder / RECORD)
-    draw(scale, folder)
+        write_files(options.out, {f"{name}.md": markdown(record)})
+        write_record(record, options.out / f"{name}.json")
+        draw(record, options.out)
 
 
 def draw(record: Record | Scale, folder: Path, endings: Sequence[str] = ("svg",)) -> list[Path]:
