@@ -70,10 +70,16 @@ def check_answer(model: Model, plan: Plan, program: Program) -> None:
 
 
 def _states(model: Model) -> list[State]:
-    """Random states; with loops a few, in which these are closed."""
+    """Random states; with loops a few, in which these are closed and the robot can move.
+
+    Of a robot that cannot move, accelerations are rounding alone, whatever is right.
+    """
     if not model.closed:
         return list(random_states(model, 1, seed=1).each)
-    q, jacobian = (each[:_CLOSED] for each in sampled(model))
+    q, jacobian = sampled(model)
+    sizes = np.linalg.svd(jacobian, compute_uv=False)
+    moving = (sizes > _SINGULAR * sizes[:, :1]).sum(axis=1) < model.nv
+    q, jacobian = q[moving][:_CLOSED], jacobian[moving][:_CLOSED]
     rng = np.random.default_rng(1)
     v = rng.uniform(-1.0, 1.0, (len(q), model.nv, 1))
     v = v - np.linalg.pinv(jacobian, rcond=_SINGULAR) @ jacobian @ v
