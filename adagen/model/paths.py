@@ -12,7 +12,6 @@ class HasParent(Protocol):
     @property
     def parent(self) -> int:
         """The link that it hangs on."""
-        raise NotImplementedError
 
 
 def joints_on_links(joints: Sequence[HasParent]) -> tuple[tuple[int, ...], ...]:
