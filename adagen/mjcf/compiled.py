@@ -15,6 +15,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from adagen.errors import EnvironmentFault, printable
 from adagen.model import BASE
 from adagen.urdf.checks import Lines
@@ -23,6 +25,9 @@ from adagen.urdf.numbers import LARGEST
 
 FREE, BALL, SLIDE, HINGE = range(4)
 """Types of joints, as MuJoCo numbers them."""
+
+_ON_JOINTS, _ON_TENDONS = (0, 1), (3,)
+"""Transmissions of actuators (``mjtTrn``) that give armature and damping."""
 
 _UNNAMED = "MuJoCo Model"
 _LINE = re.compile(r"\bline (?:number=)?(\d+)", re.IGNORECASE)
@@ -72,6 +77,25 @@ class Compiled:
 
         bit = getattr(mujoco.mjtDisableBit, f"mjDSBL_{what}").value
         return bool(int(self.model.opt.disableflags) & bit)
+
+    def of_drives(self, which: int, what: str, *, tendon: bool = False) -> float:
+        """Return what a joint or tendon has of all its actuators, from MuJoCo 4 on; SI units.
+
+        Args:
+            which: the joint's or tendon's number.
+            what: "armature", "damping", or "dampingpoly", of which the largest size is returned.
+            tendon: whether it is a tendon.
+        """
+        table = getattr(self.model, f"actuator_{what}", None)
+        if table is None:
+            return 0.0
+        kinds = _ON_TENDONS if tendon else _ON_JOINTS
+        of_kind = np.isin(self.model.actuator_trntype, kinds)
+        those = of_kind & (self.model.actuator_trnid[:, 0] == which)
+        gears = self.model.actuator_gear[those, 0]
+        if table.ndim > 1:
+            return float(abs(table[those]).max(initial=0.0)) if gears.any() else 0.0
+        return float((gears * gears) @ table[those])
 
     def named(self, kind: str, which: int) -> str:
         """Return the name of an object, or its kind and number where it has none.

@@ -48,29 +48,33 @@ def passives(
     return result
 
 
+_SWITCHES = {
+    "damping": ("DAMPER",),
+    "damping of higher order": ("DAMPER",),
+    "stiffness": ("SPRING",),
+    "stiffness of higher order": ("SPRING",),
+    "friction": ("FRICTIONLOSS", "CONSTRAINT"),
+}
+"""Flags of <option> that switch off an effect of all joints."""
+
+
 def _effects(robot: Compiled, joint: int) -> Iterator[tuple[str, float]]:
-    """Name the passive forces of a joint, with their sizes; SI units."""
+    """Name the passive forces of a joint that the file leaves on, with their sizes; SI units."""
     model = robot.model
     dof = int(model.jnt_dofadr[joint])
     found = {
-        "damping": float(model.dof_damping[dof]) + _of_drive(model, joint, "damping"),
+        "damping": float(model.dof_damping[dof]) + robot.of_drives(joint, "damping"),
         "friction": float(model.dof_frictionloss[dof]),
         "stiffness": _first(model.jnt_stiffness[joint]),
-        "rotor inertia": float(model.dof_armature[dof]) + _of_drive(model, joint, "armature"),
-        "damping of higher order": _largest(model, "dof_dampingpoly", dof),
+        "rotor inertia": float(model.dof_armature[dof]) + robot.of_drives(joint, "armature"),
+        "damping of higher order": max(
+            _largest(model, "dof_dampingpoly", dof), robot.of_drives(joint, "dampingpoly")
+        ),
         "stiffness of higher order": _largest(model, "jnt_stiffnesspoly", joint),
     }
-    return ((effect, value) for effect, value in found.items() if value)
-
-
-def _of_drive(model: Any, joint: int, what: str) -> float:
-    """Return the "armature" (kg m^2, kg) or "damping" that a joint has from its actuator."""
-    drives = getattr(model, "jnt_actuatorid", None)  # from MuJoCo 4 on
-    if drives is None or drives[joint] < 0:
-        return 0.0
-    drive = int(drives[joint])
-    gear = float(model.actuator_gear[drive][0])
-    return gear * gear * float(getattr(model, f"actuator_{what}")[drive])
+    for effect, value in found.items():
+        if value and not any(map(robot.disabled, _SWITCHES.get(effect, ()))):
+            yield effect, value
 
 
 def _first(value: Any) -> float:

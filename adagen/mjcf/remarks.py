@@ -15,6 +15,9 @@ _TENDON_EFFECTS = (
     "stiffness", "stiffnesspoly", "damping", "dampingpoly", "armature", "frictionloss"
 )  # fmt: skip
 
+_DRIVE_EFFECTS = ("armature", "damping", "dampingpoly")
+"""What a tendon has of its actuators."""
+
 
 def refuse_closed(robot: Compiled, notes: Notes) -> None:
     """Refuse what makes another machine of the tree of bodies.
@@ -30,10 +33,7 @@ def refuse_closed(robot: Compiled, notes: Notes) -> None:
         )
     for which in range(model.ntendon):
         found = [name for name in _TENDON_EFFECTS if _has(model, f"tendon_{name}", which)]
-        drive = _drive(model, which)
-        found += [
-            name for name in ("armature", "damping") if _has(model, f"actuator_{name}", drive)
-        ]
+        found += [name for name in _DRIVE_EFFECTS if robot.of_drives(which, name, tendon=True)]
         if found:
             raise notes.error(
                 f"tendon {quoted([robot.named('TENDON', which)])} has {found[0]}: tendons are not "
@@ -52,7 +52,7 @@ def refuse_closed(robot: Compiled, notes: Notes) -> None:
 
 def active_equalities(robot: Compiled) -> Iterator[int]:
     """Yield the equality constraints that hold from the start."""
-    if not robot.disabled("EQUALITY"):
+    if not (robot.disabled("EQUALITY") or robot.disabled("CONSTRAINT")):
         yield from (k for k in range(robot.model.neq) if robot.model.eq_active0[k])
 
 
@@ -88,7 +88,7 @@ def _warn_of_inputs(robot: Compiled, notes: Notes) -> None:
     model = robot.model
     touching = int(((model.geom_contype | model.geom_conaffinity) != 0).sum())
     found = []
-    if touching > 1 and not robot.disabled("CONTACT"):
+    if touching > 1 and not (robot.disabled("CONTACT") or robot.disabled("CONSTRAINT")):
         found.append(f"contacts of {touching} geoms")
     if model.nu:
         found.append(f"{model.nu} actuator{'s' * (model.nu > 1)}")
@@ -106,15 +106,9 @@ def _many(count: int, what: str) -> str:
     return f"{count} {what} is" if count == 1 else f"{count} {what}s are"
 
 
-def _drive(model: Any, tendon: int) -> int:
-    """Return the actuator that gives a tendon armature and damping, or -1."""
-    drives = getattr(model, "tendon_actuatorid", None)  # from MuJoCo 4 on
-    return -1 if drives is None else int(drives[tendon])
-
-
 def _has(model: Any, name: str, which: int) -> bool:
     table = getattr(model, name, None)
-    return which >= 0 and table is not None and bool(abs(table[which]).max() > 0.0)
+    return table is not None and bool(abs(table[which]).max() > 0.0)
 
 
 def couplings(robot: Compiled, slaved: bool, notes: Notes) -> dict[int, tuple[int, float, float]]:

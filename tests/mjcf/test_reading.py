@@ -189,6 +189,55 @@ def test_a_rotor_of_a_drive_counts_by_its_gear(reading: Read) -> None:
         reading(beside(pulled + drive))
 
 
+def test_drives_of_one_joint_add_up(reading: Read) -> None:
+    one = '<motor joint="knee" gear="3" armature="2" damping="1 5"/>'
+    two = '<motor joint="knee" gear="-2" armature="1" damping="3"/><motor joint="knee"/>'
+    try:
+        found = reading(beside(f"<actuator>{one}{two}</actuator>"), effects=("damping",))
+    except InputError:
+        pytest.skip("actuators have an armature from MuJoCo 4 on")
+    knee = found.model.joints[1].passive
+    assert (knee.rotor_inertia, knee.damping) == (22.0, 21.0)
+    assert any('damping of higher order of joint "knee"' in line for line in found.warnings)
+    tendon = f'<tendon><fixed name="t">{PULLED}</fixed></tendon>'
+    drives = '<actuator><motor tendon="t"/><motor tendon="t" armature="2"/></actuator>'
+    with pytest.raises(InputError, match='tendon "t" has armature'):
+        reading(
+            beside(
+                tendon
+                + drives.replace('<motor tendon="t"/>', '<motor tendon="t" gear="2" armature="1"/>')
+            )
+        )
+
+
+@pytest.mark.parametrize(
+    ("flag", "attributes"),
+    [
+        ("damper", "damping"),
+        ("spring", "stiffness"),
+        ("frictionloss", "frictionloss"),
+        ("constraint", "frictionloss"),
+    ],
+)
+def test_effects_that_the_file_switches_off_are_not_there(
+    flag: str, attributes: str, reading: Read
+) -> None:
+    text = GOOD.replace('contact="disable"', f'contact="disable" {flag}="disable"')
+    found = reading(
+        text.replace('name="hip"', f'name="hip" {attributes}="2"'), effects=("damping", "friction")
+    )
+    passive = found.model.joints[0].passive
+    assert (passive.damping, passive.friction, passive.stiffness) == (0.0, 0.0, 0.0)
+    assert found.warnings == ()
+
+
+def test_constraints_that_the_file_switches_off_couple_nothing(reading: Read) -> None:
+    text = beside('<equality><joint joint1="knee" joint2="hip"/></equality>')
+    found = reading(text.replace('contact="disable"', 'constraint="disable"'))
+    assert [joint.mimic for joint in found.model.joints] == [None, None]
+    assert found.warnings == ()
+
+
 def test_a_rotor_of_a_free_joint_is_told(reading: Read) -> None:
     free = GOOD.replace('<joint name="hip" axis="0 1 0"/>', '<joint type="free" armature="1"/>')
     (warning,) = reading(free).warnings
