@@ -34,11 +34,12 @@ from adagen.emit.names import prefix_of
 from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.errors import AdagenError, EnvironmentFault
 from adagen.executor import Grouping, groupings
+from adagen.library.choice import choose
+from adagen.library.request import Request
 from adagen.plan import Plan, make_plan
 from adagen.program import lower
 from adagen.run import fresh_copy, launch
 from adagen.schedule import CostProfile, load_profile, step_costs
-from adagen.search import best_schedule
 from adagen.studies.bench.machine import machine
 from adagen.studies.bench.report import table
 from adagen.urdf import read_robot
@@ -123,11 +124,12 @@ class Case:
         return self.auto.time / self.best.time
 
 
-def built(name: str, path: Path, floating: bool, profile: CostProfile) -> list[Case]:
-    """Build all programs of a robot on one process and on two."""
-    model, found = read_robot(path, floating=floating).model, []
+def built(name: str, path: Path, floating: bool, priced: str) -> list[Case]:
+    """Build all programs of a robot on one process and on two, by a profile of that name."""
+    model, profile, found = read_robot(path, floating=floating).model, load_profile(priced), []
     for processes in (1, 2):
-        plan = make_plan(model, best_schedule(model, processes, profile))
+        asked = Request(procs=processes, profile=priced)
+        plan = make_plan(model, choose(model, asked).schedule)
         working = sum(bool(process.owns) for process in plan.processes)
         if working == processes:
             ways, chosen = _built(plan, profile)
@@ -249,7 +251,7 @@ def _build(name: str, only: Sequence[str] | None) -> None:
     cases = _read() if before == profile.name else []
     order = list(ROBOTS)
     with ProcessPoolExecutor(2) as pool:
-        futures = {pool.submit(built, name, *ROBOTS[name], profile): name for name in wanted}
+        futures = {pool.submit(built, each, *ROBOTS[each], name): each for each in wanted}
         for done in as_completed(futures):
             robot = futures[done]
             try:

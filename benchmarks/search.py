@@ -218,7 +218,8 @@ and for the `unrolled` programs that were priced
 ([what the verdict means](../explanation/search.md#what-the-verdict-means)). *Family*: one process
 alone, processes that gather at a core, or processes that are joined. The search ends after a fixed
 budget, the same on every machine. One row by hand: `adagen schedule ROBOT --procs P`, with
-`--floating` where the table says so.
+`--floating` where the table says so; it leaves all work to one process where others save less than
+the profile's `process.margin`, which the table does not.
 
 {columns}
 """,

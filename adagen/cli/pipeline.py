@@ -132,9 +132,10 @@ def choose_schedule(model: Model, options: argparse.Namespace, stages: Stages) -
         note(f"--procs auto: {found.request.procs} (predicted: {times}; {found.profile} profile)")
     if found.unpaid is not None:
         many, one = found.unpaid
+        idle = ", which does everything" if found.request.may_leave_idle else ""
         warn(
             f"{options.model}: warning: {found.request.procs} processes do not pay: "
-            f"{many:.2f} us predicted, {one:.2f} us on one ({found.profile} profile); use "
+            f"{many:.2f} us predicted, {one:.2f} us on one ({found.profile} profile){idle}; use "
             "--procs 1 or auto"
         )
     if found.schedule.parts and options.profile in _WITH_AVX512:

@@ -11,6 +11,7 @@ from adagen.plan import as_gathered
 from adagen.run import cores
 from adagen.schedule import CostProfile, Schedule, load_profile
 from adagen.search import choose_processes, predicted_time
+from adagen.search.base_gathering import alone_schedule
 from adagen.search.process_count import margin
 
 MOST_CORES = 16
@@ -27,7 +28,8 @@ class Chosen:
         compared: processes and what is predicted of them, us, by their number; empty where it was
             not left open.
         unpaid: what is predicted of the processes that were asked for and of one alone, us, where
-            these do not pay; else None.
+            these do not pay; else None. One does everything then, if the schedule was searched for
+            the least time.
         profile: the name of the cost profile that predicts it.
     """
 
@@ -92,6 +94,7 @@ def _as_asked(model: Model, request: Request, profile: CostProfile) -> Chosen:
     chosen = Chosen(as_gathered(model, own), request, profile=profile.name)
     if request.procs == 1 or profile.steps is None:
         return chosen
+    alone = searched(model, replace(request, procs=1))
     many, one = (
         predicted_time(
             model,
@@ -103,6 +106,15 @@ def _as_asked(model: Model, request: Request, profile: CostProfile) -> Chosen:
             reproducible=request.reproducible,
             certify=request.certify,
         )
-        for each in (own, searched(model, replace(request, procs=1)))
+        for each in (own, alone)
     )
-    return replace(chosen, unpaid=(many, one)) if many > (1 - margin(profile)) * one else chosen
+    if many <= (1 - margin(profile)) * one:
+        return chosen
+    if request.may_leave_idle:
+        whole = alone_schedule(model, request.procs, profile)
+        found = replace(
+            own, root=whole.root, meeting=whole.meeting, gathered=None, parts=alone.parts
+        )
+        loads = (one, *(request.procs - 1) * (0.0,))
+        chosen = replace(chosen, schedule=replace(found, makespan=one, loads=loads))
+    return replace(chosen, unpaid=(many, one))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 from adagen.cost import timeline
@@ -10,10 +9,10 @@ from adagen.drawing import draw
 from adagen.emit import emit, program_of
 from adagen.errors import InputError, UsageError
 from adagen.garbage import seldom_collected
+from adagen.library.choice import choose
 from adagen.library.inputs import inputs_of
 from adagen.library.request import Request
 from adagen.library.robot import Origin, Robot
-from adagen.library.scheduling import KNOWN, given_schedule, schedule_of
 from adagen.library.self_check import check_answer
 from adagen.library.solver import Compiled
 from adagen.model import Model
@@ -52,19 +51,13 @@ def compiled(robot: Robot, request: Request) -> Compiled:
         UsageError: what is asked for cannot be had.
     """
     try:
-        if request.shape == "auto" and _given(request):
-            request = replace(request, shape=given_schedule(robot.model, request).shape)
-        schedule = schedule_of(robot.model, request)
-        plan = planned(robot.model, schedule, request, robot.source_hash)
+        chosen = choose(robot.model, request)
+        plan = planned(robot.model, chosen.schedule, chosen.request, robot.source_hash)
     except InputError as error:
         if error.file is None:
             raise InputError(error.message, str(robot.origin.path)) from None
         raise
-    return emitted(robot.model, robot.origin, schedule, plan, request)
-
-
-def _given(request: Request) -> bool:
-    return request.schedule not in KNOWN
+    return emitted(robot.model, robot.origin, chosen.schedule, plan, chosen.request)
 
 
 def planned(model: Model, schedule: Schedule, request: Request, source_hash: str) -> Plan:

@@ -160,6 +160,16 @@ class Request:
             return False
         return self.shape in ("auto", "kernels") and not self.refinement
 
+    @property
+    def may_leave_idle(self) -> bool:
+        """Whether processes may be left idle that are predicted to save less than the margin.
+
+        Who names a schedule, asks for the paper's search or form, or for the most accurate schedule
+        on as many processes, gets it.
+        """
+        usual = self.strategy == "exact" and self.split == "always" and self.form == "segment"
+        return usual and self.schedule == "auto" and self.objective != "accuracy"
+
     def may_part(self, joints: int) -> bool:
         """Whether a process may sweep a long chain in parts, one in each SIMD lane.
 

@@ -6,9 +6,11 @@ import json
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+import adagen
 from adagen.build.registers import Registers
 from adagen.calibrate import profile_text
 from adagen.cli import main
@@ -46,7 +48,7 @@ def test_more_processes_than_pay_are_obeyed_with_a_warning(
     stdout, stderr = capsys.readouterr()
     assert json.loads(stdout)["root"]["processes"] == [0, 4]
     assert "4 processes do not pay: " in stderr
-    assert "us on one (default profile); use --procs 1 or auto" in stderr
+    assert "us on one (default profile), which does everything; use" in stderr
 
 
 def test_where_they_pay_there_is_no_warning(
@@ -55,6 +57,35 @@ def test_where_they_pay_there_is_no_warning(
     arm = write_arm(tmp_path / "arm.urdf", 6)
     assert main(["schedule", str(arm), "--procs", "2", "--profile", str(cheap), "--json"]) == 0
     assert "warning" not in capsys.readouterr().err
+
+
+def test_what_saves_less_than_predictions_are_off_is_left_to_one(
+    tmp_path: Path, cheap: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """By every way to ask; a schedule with a name is obeyed."""
+    arm = write_arm(tmp_path / "arm.urdf", 6)
+    text = cheap.read_text()
+    (margin,) = re.findall(r"^margin = .*$", text, re.MULTILINE)
+    cheap.write_text(text.replace(margin, "margin = 0.9"))
+
+    def told(*more: str) -> tuple[dict[str, Any], str]:
+        words = ["schedule", str(arm), "--procs", "2", "--profile", str(cheap), "--json"]
+        assert main([*words, *more]) == 0
+        stdout, stderr = capsys.readouterr()
+        return json.loads(stdout), stderr
+
+    found, said = told()
+    assert set(found["owners"].values()) == {0} and found["processes"] == 2
+    many, one = re.findall(r"(\d\.\d+) us", said)
+    assert float(many) < float(one) == pytest.approx(found["makespan"], abs=0.005)
+    assert found["lower_bound"] < found["makespan"] and found["verdict"] == "gap"
+    assert "(steps profile), which does everything; use --procs 1 or auto" in said
+    library = adagen.compile(adagen.read(arm), procs=2, profile=str(cheap))
+    assert [bool(process.owns) for process in library.plan.processes] == [True, False]
+    for more in (("--schedule", "balanced"), ("--objective", "accuracy")):
+        found, said = told(*more)
+        assert set(found["owners"].values()) == {0, 1}
+        assert "steps profile); use --procs 1 or auto" in said
 
 
 def test_auto_takes_one_for_an_arm_and_more_where_it_pays(
