@@ -129,7 +129,7 @@ def _show(model: Model, found: Assessed) -> None:
 
     print(wrapped(program_text(found.program), 2) + "\n")
     if meeting(found.program) in TREES:  # there the tree says what is joined when, and by whom
-        print(schedule_tree(found.schedule, Topology.of(model)))
+        print(schedule_tree(found.schedule, Topology.of(model), costs=found.timeline is None))
     if found.timeline is None:
         _show_loads(found.schedule)
     else:

@@ -25,7 +25,7 @@ def schedule_document(
         program: what is emitted of it.
         line: how that is predicted to go; None where the profile prices joins alone.
     """
-    data = schedule_to_dict(schedule, topology)
+    data = schedule_to_dict(schedule, topology, costs=line is None)
     tail = {key: data.pop(key) for key in ("root", "gathered") if key in data}
     names = topology.names
     if not schedule.families:

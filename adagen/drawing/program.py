@@ -43,7 +43,10 @@ def program_svg(
     """
     owner = {j: p for p, process in enumerate(program.plan.processes) for j in process.owns}
     joined = meeting(program) in TREES
-    left = tree_outline(schedule, topology) if joined else _swept(program, topology, owner)
+    if joined:
+        left = tree_outline(schedule, topology, costs=False)
+    else:
+        left = _swept(program, topology, owner)
     return page(
         name,
         f"{title(program)}: {caption}",

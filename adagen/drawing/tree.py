@@ -44,20 +44,20 @@ def schedule_svg(schedule: Schedule, topology: Topology, name: str) -> str:
     return page(name, said, played_tree(schedule), caption, 2 * busiest, tree, right)
 
 
-def tree_outline(schedule: Schedule, topology: Topology) -> Outline:
-    """Return a schedule's tree: names, and joint number, k and cost."""
+def tree_outline(schedule: Schedule, topology: Topology, *, costs: bool = True) -> Outline:
+    """Return a schedule's tree: names, joint numbers and k; costs where they make up the time."""
     nodes = {node.joint: node for node in preorder(schedule.root)}
     rows = []
     for row in schedule_rows(schedule, topology):
         node = nodes[row.joint]
         a, b = node.processes
-        parts = [f"{row.joint}:  k={node.boundary}", f"{node.cost:.2f} µs"]
+        parts = [f"{row.joint}:  k={node.boundary}"]
+        parts += [f"{node.cost:.2f} µs"] if costs else []
         parts += [row.label] if row.label else []
         parts += [f"processes {a}–{b - 1}"] if b - a > 1 else []
         rows.append((row, shorten(topology.names[row.joint], NAME, SIZE), ", ".join(parts)))
-    about = (
-        "assembled from below, in the circle: process; then joint number, boundary joints k, cost"
-    )
+    about = "assembled from below, in the circle: process; then joint number, boundary joints k"
+    about += ", cost" if costs else ""
     process = {joint: node.processes[0] for joint, node in nodes.items()}
     return Outline("Schedule tree", about, rows, process)
 

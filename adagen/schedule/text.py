@@ -16,8 +16,12 @@ from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Gathered, Node, Schedule, postorder
 
 
-def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
+def schedule_to_dict(
+    schedule: Schedule, topology: Topology, *, costs: bool = True
+) -> dict[str, Any]:
     """Return a schedule as plain data (microseconds); the nodes nest as deep as the tree.
+
+    Costs of nodes are left out where the times are not those of the tree.
 
     Use :func:`schedule_to_json` for its text: the json module cannot write deep trees.
     """
@@ -27,7 +31,7 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
             "joint": topology.names[node.joint],
             "index": node.joint,
             "processes": list(node.processes),
-            "cost": node.cost,
+            **({"cost": node.cost} if costs else {}),
             "boundary": node.boundary,
             "children": [made.pop(child.joint) for child in node.children],
         }
@@ -79,8 +83,12 @@ def schedule_to_json(schedule: Schedule, topology: Topology) -> str:
     return deepjson.dumps(schedule_to_dict(schedule, topology))
 
 
-def schedule_tree(schedule: Schedule, topology: Topology) -> str:
-    """Return the tree as indented text, one joint a line, for people."""
+def schedule_tree(schedule: Schedule, topology: Topology, *, costs: bool = True) -> str:
+    """Return the tree as indented text for people: names, processes, k, and costs.
+
+    Costs are for schedules whose times are those of the tree, and then each joint has a line.
+    Without them, joints below one another share a line where nothing else differs.
+    """
     width = len(str(schedule.processes))
     lines = []
     stack: list[tuple[Node, str, str, str]] = [(schedule.root, "", "", "")]
@@ -89,18 +97,40 @@ def schedule_tree(schedule: Schedule, topology: Topology) -> str:
         a, b = node.processes
         where = f"{a:{width}}" if b - a == 1 else f"{a:{width}}-{b - 1}"
         name = printable(topology.names[node.joint])
-        figures = f"[{where}]  k={node.boundary}  {node.cost:.3f} us"
+        figures = f"[{where}]  k={node.boundary}"
+        last = node
+        if costs:
+            figures += f"  {node.cost:.3f} us"
+        else:
+            count, last = _line_below(node)
+            if count > 1:
+                name += f" .. {printable(topology.names[last.joint])}"
+                figures += f"  {count} joints"
         lines.append(f"{lead}{branch}{side}{name}  {figures}")
         # A lone descendant continues at the same indent: chains are deep, screens are not.
-        children = node.children
+        children = last.children
         inner = lead + {"": "", "├ ": "│ ", "└ ": "  "}[branch]
         for i in reversed(range(len(children))):
-            label = "root: " if children[i] is node.root_side else "end: "
+            label = "root: " if children[i] is last.root_side else "end: "
             if len(children) == 1:
                 stack.append((children[0], inner, "", ""))
             else:
                 stack.append((children[i], inner, "├ " if i == 0 else "└ ", label))
     return "\n".join(lines) + "\n"
+
+
+def _line_below(node: Node) -> tuple[int, Node]:
+    """Return how many nodes follow each other like one, and the last of them.
+
+    Each but the last has one descendant, on the same processes and with as many boundary joints.
+    """
+    count = 1
+    while len(node.children) == 1:
+        below = node.children[0]
+        if (below.processes, below.boundary) != (node.processes, node.boundary):
+            break
+        count, node = count + 1, below
+    return count, node
 
 
 def gathered_line(gathered: Gathered, topology: Topology) -> str:

@@ -62,6 +62,20 @@ def test_a_very_deep_tree_as_text() -> None:
     assert schedule_line(schedule, topology).startswith("j0@0(|j1(|")
 
 
+def test_joints_below_one_another_share_a_line_where_the_tree_has_no_costs() -> None:
+    topology = Topology.serial(12)
+    schedule = find_schedule(topology, 2, profile=PAPER)
+    text = schedule_tree(schedule, topology, costs=False)
+    assert " us" not in text and "..." not in text
+    shown = 0
+    for line in text.splitlines():
+        several = re.search(r"(j\d+) \.\. (j\d+)  \[.*\]  k=\d  (\d+) joints$", line)
+        assert several or re.search(r"j\d+  \[[-0-9]+\]  k=\d$", line), line
+        shown += int(several[3]) if several else 1
+    assert shown == 12
+    assert any(" .. " in line for line in text.splitlines())
+
+
 def _edit(change: Callable[[dict[str, Any]], Any]) -> str:
     topology = Topology.serial(5)
     data = json.loads(schedule_to_json(find_schedule(topology, 2, profile=PAPER), topology))
