@@ -21,10 +21,10 @@ from adagen.executor.state import State
 from adagen.graph import Expression, Graph, matrix_times, reflect, total
 from adagen.model.kinds import HELD
 from adagen.plan.digits import GIMBAL_LOCK, NEAR_GIMBAL_LOCK
+from adagen.plan.fused_frame import run_length
 from adagen.plan.steps import FusedJoin, Join
 
 Array = NDArray[Any]
-_NEAR = 1e-20  # m^2: axes nearer than that, squared, to a link's origin pass through it
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,9 @@ def _frame_of_run(state: State, motion: Motion, step: FusedJoin) -> JointFrame:
         drift = own if drift is None else drift if own is None else drift + own
         s = columnwise(x.motion, s) if s.size else s
         s = np.hstack([s, state.constants(np.eye(6)[:, list(kind.free)])])
-    turn, lock = joint_coordinates(state.graph, s)
+    joints = [state.plan.joints[j] for j in step.run]
+    length = run_length(joints, state.plan.links[step.joint + 1])
+    turn, lock = joint_coordinates(state.graph, s, length)
     least = state.graph.constant(GIMBAL_LOCK[state.plan.scalar] ** 2)
     near = NEAR_GIMBAL_LOCK**2  # lock is a square, too
     state.checks.append(Check(lock, least, step.joint, "kGimbalLock", near))
@@ -134,21 +136,21 @@ def _frame_of_run(state: State, motion: Motion, step: FusedJoin) -> JointFrame:
     return JointFrame(step.run, transforms, turn, parts, free, constrained, drift, tau, {})
 
 
-def joint_coordinates(graph: Graph, s: Array) -> tuple[Array, Expression]:
+def joint_coordinates(graph: Graph, s: Array, length: float) -> tuple[Array, Expression]:
     """Return B with B S = [1; 0], shape (6, 6), and how far the run is from gimbal lock, squared.
 
-    By Householder's reflections of S, scaled: lengths by the largest distance of an axis from the
-    link's origin, so that the answer does not depend on units, and every column to length one.
+    By Householder's reflections of S, each column scaled to length one.
 
     Args:
         graph: what S belongs to.
         s: motions of the run's joints in the last link's frame, shape (6, n).
+        length: the unit of lengths (``adagen.plan.fused_frame.run_length``), m.
 
     Returns:
         B, and 1 / |S^+|^2 (Frobenius norm): about the square of the least singular value of the
         scaled S where only that one is small. Zero in gimbal lock; B is then not finite.
     """
-    n, unit = s.shape[1], _unit(graph, s)
+    n, unit = s.shape[1], graph.constant(1.0 / length)
     r, b = s.copy(), np.full((6, 6), graph.constant(0), dtype=object)
     r[3:] = r[3:] * unit
     for k in range(6):
@@ -167,17 +169,6 @@ def joint_coordinates(graph: Graph, s: Array) -> tuple[Array, Expression]:
 
 def _norm(graph: Graph, x: Array) -> Expression:
     return graph.sqrt(total(x * x))
-
-
-def _unit(graph: Graph, s: Array) -> Expression:
-    """One over the largest distance of an axis from the origin; 1 where there is none."""
-    squared = graph.constant(0)
-    for column in s.T:
-        if any(x.constant != 0 for x in column[:3]):
-            squared = graph.larger(squared, total(column[3:] * column[3:]))
-    if squared.constant == 0:
-        return graph.constant(1)
-    return graph.reciprocal(graph.sqrt(graph.larger(squared, graph.constant(_NEAR))))
 
 
 def _inverted(graph: Graph, r: Array) -> Array:

@@ -24,7 +24,7 @@ from adagen.plan.clusters import is_regular
 from adagen.plan.constants import joints_of
 from adagen.plan.digits import generic_configuration, lost_mobility
 from adagen.plan.edges import is_free_base
-from adagen.plan.fused_frame import joint_coordinates, run_motion
+from adagen.plan.fused_frame import joint_coordinates, run_length, run_motion
 from adagen.plan.placement import joint_transform, spatial_inertia
 
 Array = NDArray[Any]
@@ -192,7 +192,11 @@ class _Robot:
         for joint in self.joints:
             kinds = [KINDS[self.members[j].kind] for j in joint.run]
             x, s = run_motion([self._transform(j, q) for j in joint.run], kinds)
-            y = np.eye(6) if len(kinds) == 1 else joint_coordinates(s)[0]
+            y = np.eye(6)
+            if len(kinds) > 1:
+                of_run = [self.members[j] for j in joint.run]
+                length = run_length(of_run, self.links[joint.child].inertia)
+                y = joint_coordinates(s, length)[0]
             frames.append((y @ x, y))
         return frames
 

@@ -131,10 +131,17 @@ def _read(root: dict[str, Any], topology: Topology) -> Draft:
     while stack:
         entry, above = stack.pop()
         joint = _joint(entry, index, seen)
-        draft.ranges[joint] = _range(entry, joint, topology)
+        draft.ranges[joint] = a, b = _range(entry, joint, topology)
         if above < 0:
+            if a != 0:
+                raise InvalidSchedule(f"the root must have the processes [0, {b}]")
             draft.root = joint
         else:
+            if not (draft.ranges[above][0] <= a and b <= draft.ranges[above][1]):
+                raise InvalidSchedule(
+                    f"joint '{topology.names[joint]}' has processes that joint "
+                    f"'{topology.names[above]}' above it has not"
+                )
             _hang(draft, topology, above, joint, entry)
         children = entry.get("children", [])
         if not isinstance(children, list):

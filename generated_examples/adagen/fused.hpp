@@ -99,16 +99,10 @@ inline void reflect(const Real (&u)[6], Real factor, Real* columns, int count) {
   }
 }
 
-// B by Householder's reflections of S, scaled: lengths by the largest distance of an axis from the
-// link's origin, columns to length one. Returns false in gimbal lock.
+// B by Householder's reflections of S, lengths times ``unit`` and columns scaled to length one.
+// Returns false in gimbal lock.
 template <int n>
-ADAGEN_NOINLINE bool fuse(Run<n>& i) {
-  Real squared = 0;
-  for (int k = 0; k < n; ++k) {
-    const Real* s = i.S.data() + 6 * k;
-    if (squares(s, 3) > 0) squared = std::max(squared, squares(s + 3, 3));
-  }
-  const Real unit = squared > 0 ? 1 / std::sqrt(squared) : Real(1);
+ADAGEN_NOINLINE bool fuse(Run<n>& i, Real unit) {
   Eigen::Matrix<Real, 6, n> R = i.S;
   Real scale[n];
   for (int k = 0; k < n; ++k) {

@@ -10,10 +10,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from adagen.errors import InputError
+from adagen.exact import exact, rounded
 from adagen.executor import Run, interpret
 from adagen.executor.join_digits import predicted_growth
 from adagen.model import PRISMATIC, REVOLUTE, Inertia, Mimic, Model
 from adagen.model.fuse import runs_of
+from adagen.model.placement import rotation_about
 from adagen.plan import FORMS, make_plan, plan_from_json, plan_to_json
 from adagen.plan.clusters import clusters_of, fold_of
 from adagen.plan.cuts import cuttable_joints
@@ -141,11 +143,11 @@ def test_gimbal_lock_names_the_joints() -> None:
 def test_coordinates_of_a_run(n: int, decades: float, seed: int) -> None:
     """B S = [1; 0], and how near gimbal lock is does not depend on the unit of length."""
     s = np.random.default_rng(seed).normal(size=(6, n))
-    b, lock = joint_coordinates(s)
+    b, lock = joint_coordinates(s, 1.0)
     assume(lock > 1e-3)
     assert np.abs(b @ s - np.eye(6)[:, :n]).max() < 1e-10
     s[3:] *= 10.0**decades
-    assert joint_coordinates(s)[1] == pytest.approx(lock, rel=1e-6)
+    assert joint_coordinates(s, 10.0**decades)[1] == pytest.approx(lock, rel=1e-6)
 
 
 def points(joints: int) -> Model:
@@ -210,3 +212,27 @@ def test_robots_without_such_links_are_seen_as_they_are() -> None:
             assert seen.topology == Topology.of(model)
         schedule = random_schedule(model, 2, np.random.default_rng(seed))
         assert seen.unfold(schedule, PROFILE) is schedule
+
+
+def test_a_slide_along_a_hinge_keeps_all_digits() -> None:
+    """The hinge passes the last link's origin at a distance that is rounding."""
+    chain = serial_chain(5)
+    axis = np.array([-0.6, 0.1, -1.9])
+    axis /= np.linalg.norm(axis)
+    joints = list(chain.joints)
+    joints[2] = replace(joints[2], kind=REVOLUTE, axis=axis)
+    turned = rotation_about(exact(axis), exact(0.7).item())
+    joints[3] = replace(
+        joints[3], kind=PRISMATIC, axis=axis, rotation=rounded(turned), translation=23.7 * axis
+    )
+    model = with_inertia(replace(chain, joints=tuple(joints)), 3, Inertia.zero())
+    (run,) = runs_of(model)
+    assert run == (2, 3)
+    assert len(cuttable_joints(model)) == 5
+    sample = random_states(model, 2, seed=4)
+    for processes in (1, 2):
+        plan = make_plan(model, balanced(model, processes, "ada"), form="ada")
+        for q, v, tau in sample.each:
+            truth = forward_dynamics(model, q, v, tau)
+            found = interpret(plan, q, v, tau)
+            assert np.abs(found - truth).max() < 1e-10 * np.abs(truth).max()

@@ -102,6 +102,7 @@ def _edit(change: Callable[[dict[str, Any]], Any]) -> str:
         (_edit(lambda root: root["children"][0].update(side="end")), "on the root side"),
         (_edit(lambda root: root["children"].append(root["children"][0])), "more than once"),
         (_edit(lambda root: root["children"][0].update(processes=[0, 2])), "neither share"),
+        (_edit(lambda root: root["children"][0].update(processes=[0, 3])), "has not"),
         (_edit(lambda root: root["children"][0].update(joint="j4", index=4)), "j4"),
     ],
 )

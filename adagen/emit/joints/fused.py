@@ -6,6 +6,7 @@ from adagen.emit.forces import passive_torques
 from adagen.emit.joints.joins import bias_updates, block_updates, coupling_torques, store
 from adagen.emit.joints.kinematics import configuration, velocity
 from adagen.emit.symbols import Symbols
+from adagen.plan.fused_frame import run_length
 from adagen.plan.steps import Coupling, Disassemble, FusedJoin
 
 
@@ -48,7 +49,11 @@ def assembly(symbols: Symbols, join: FusedJoin) -> list[str]:
             "}",
         ]
     b_a = "w.ground" if join.a_bias is None else symbols.bias(join.a_bias)
-    return [*lines, *fused(join), *joined(symbols, join, b_a, keeps_sum=bool(symbols.refine))]
+    return [
+        *lines,
+        *fused(symbols, join),
+        *joined(symbols, join, b_a, keeps_sum=bool(symbols.refine)),
+    ]
 
 
 def named(symbols: Symbols, join: FusedJoin) -> str:
@@ -57,10 +62,12 @@ def named(symbols: Symbols, join: FusedJoin) -> str:
     return f"auto& i = {symbols.memory(join.joint)};  // one joint with {others}"
 
 
-def fused(join: FusedJoin) -> list[str]:
+def fused(symbols: Symbols, join: FusedJoin) -> list[str]:
     """The lines that compute the coordinates of the run, and its distance from gimbal lock."""
+    joints = [symbols.plan.joints[j] for j in join.run]
+    length = run_length(joints, symbols.plan.links[join.joint + 1])
     return [
-        f"if (!fuse(i.run)) fail(w, kGimbalLock, {join.joint});",
+        f"if (!fuse(i.run, Real({1.0 / length!r}))) fail(w, kGimbalLock, {join.joint});",
         f"if (i.run.lock < kNearLock) w.near_lock = {join.joint + 1};",
     ]
 

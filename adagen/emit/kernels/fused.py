@@ -23,7 +23,7 @@ def assembly(symbols: Symbols, join: FusedJoin) -> list[str]:
             f"  place<{first}>(tau, i.joined.tau);",
             "}",
         ]
-    lines += fused(join)
+    lines += fused(symbols, join)
     if join.a_bias is None:
         return lines + joined(symbols, join, "kGround")
     lines.append(f"i.run.BX = for_expressed(w, {parent(symbols, join)}, i.run.BX);")
