@@ -198,11 +198,10 @@ def test_narrow_registers_are_noted_where_a_chain_is_in_parts(
 ) -> None:
     monkeypatch.setattr("adagen.build.registers.find_registers", lambda: registers)
     arm = write_arm(tmp_path / "arm.urdf", 300)
-    assert main(["schedule", str(arm), "--procs", "1", "--json"]) == 0
-    stdout, stderr = capsys.readouterr()
-    assert json.loads(stdout)["parts"] == 8
-    assert ("or add --profile avx2" in " ".join(stderr.split())) == noted
-    assert main(["schedule", str(arm), "--procs", "1", "--profile", "avx2", "--json"]) == 0
-    stdout, stderr = capsys.readouterr()
-    assert json.loads(stdout).get("parts", 0) == 0
-    assert "registers" not in stderr
+    profiles = (("default", 8, noted), ("avx2", 0, False))
+    for profile, parts, told in profiles[: 1 + noted]:
+        words = ["schedule", str(arm), "--procs", "1", "--profile", profile, "--json"]
+        assert main(words) == 0
+        stdout, stderr = capsys.readouterr()
+        assert json.loads(stdout).get("parts", 0) == parts
+        assert ("or add --profile avx2" in " ".join(stderr.split())) == told
