@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 
 from adagen.calibrate.measure import Measurement
 from adagen.calibrate.nnls import nnls
-from adagen.cost.features import Features, added, operation_features
+from adagen.cost.features import Features, added, joins_of, operation_features
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
 from adagen.program import Program
-from adagen.schedule.costs import NAMES, PER_KIND, PRESCRIBED, StepCosts
+from adagen.schedule.costs import LIKE, NAMES, PER_KIND, PRESCRIBED, StepCosts
 
 Array = NDArray[np.float64]
 _STEADY = 1e-2
@@ -63,12 +63,12 @@ class Sample:
 
     def equations(self) -> list[Equation]:
         """Return one equation for each stage of work."""
-        found = []
+        found, joins = [], joins_of(self.plan)
         for p, process in enumerate(self.program.processes):
             for number, (stage, time) in enumerate(self._timed(p)):
                 if stage.message is None and stage.what != "slaved":
                     own = (each for each in process.operations if each.stage == number)
-                    total = added(operation_features(each, self.plan.joints) for each in own)
+                    total = added(operation_features(each, self.plan.joints, joins) for each in own)
                     found.append(Equation(stage.what, total, time))
         return found
 
@@ -141,6 +141,11 @@ def _alike() -> Array:
     row = np.zeros(len(NAMES))  # by columns or not
     row[NAMES.index("articulate_columns.run")], row[NAMES.index("articulate.run")] = 1, -1
     rows.append(row)
+    for group, like in LIKE.items():
+        for key in sorted({*PER_KIND[group]} - {PRESCRIBED}):
+            row = np.zeros(len(NAMES))
+            row[NAMES.index(f"{group}.{key}")], row[NAMES.index(f"{like}.{key}")] = 1, -1
+            rows.append(row)
     for k in range(len(NAMES)):
         row = np.zeros(len(NAMES))
         row[k] = 0.1  # and nothing is dearer than it need be

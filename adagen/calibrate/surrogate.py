@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from adagen.calibrate.nnls import nnls
-from adagen.schedule.costs import StepCosts
+from adagen.schedule.costs import REPEATED, StepCosts
 from adagen.schedule.profile import CostProfile
 
 _MOST_HANDLES = 4
@@ -40,13 +40,13 @@ def join_time(costs: StepCosts, kind: str, handles: int) -> float:
     """Return the time to assemble and disassemble a joint among handles, microseconds."""
     pairs = handles * (handles + 1) / 2
     across = handles * (handles - 1) / 4
-    coupling = (costs["join.coupling_a"] + costs["join.coupling_b"]) / 2
+    coupling = (costs[f"{REPEATED}.coupling_a"] + costs[f"{REPEATED}.coupling_b"]) / 2
     return (
-        costs[f"join.{kind}"]
+        costs[f"{REPEATED}.{kind}"]
         + costs[f"disassemble.{kind}"]
         + costs[f"kinematics.{kind}"]
         + costs["link.bias"]
         + handles * (coupling + costs["disassemble.coupling"])
-        + (pairs - across) * costs["join.block"]
-        + across * costs["join.across"]
+        + (pairs - across) * costs[f"{REPEATED}.block"]
+        + across * costs[f"{REPEATED}.across"]
     )

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
 from adagen.model.kinds import KINDS
+from adagen.plan import Plan
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
@@ -48,7 +49,7 @@ from adagen.plan.steps import (
 from adagen.program import Operation
 from adagen.program.names import PASSING
 from adagen.program.runs import Run
-from adagen.schedule.costs import PRESCRIBED, block_rows
+from adagen.schedule.costs import PRESCRIBED, REPEATED, block_rows
 
 Features = dict[str, float]
 """How often each coefficient counts; names as in ``adagen.schedule.costs.NAMES``."""
@@ -74,12 +75,18 @@ _PLAIN: dict[type, str] = {
 }
 
 
-def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
+def joins_of(plan: Plan) -> str:
+    """Return the group of coefficients that prices a plan's joins: few, or all of form `ada`."""
+    return REPEATED if plan.form == "ada" else "join"
+
+
+def step_features(step: Step, joints: Sequence[PlanJoint], joins: str = "join") -> Features:
     """Return the features of a step that is an operation by itself; none for a message.
 
     Args:
         step: a step of a plan.
         joints: the plan's joints.
+        joins: the group that prices its joins (``joins_of``).
     """
     if isinstance(step, _SWEPT):
         return dict(_of_joint(step, joints[step.joint], "step"))
@@ -91,10 +98,10 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
     match step:
         case FusedJoin():
             freedoms = sum(KINDS[joints[j].kind].nv for j in step.run)
-            own = _join(step, "spherical" if freedoms < 6 else "floating")
+            own = _join(step, "spherical" if freedoms < 6 else "floating", joins)
             return {**own, "kinematics.revolute": len(step.run)}
         case Join():
-            return _join(step, kind)
+            return _join(step, kind, joins)
         case Disassemble():
             kind = "ground" if joint.parent == 0 and kind != "floating" else kind
             return {f"disassemble.{kind}": 1, "disassemble.coupling": len(step.forces)}
@@ -147,17 +154,17 @@ def _swept(
     return {f"kinematics.{kind}": 1, "kinematics.step": 1}
 
 
-def _join(step: Join, kind: str) -> Features:
+def _join(step: Join, kind: str, group: str) -> Features:
     grounded = step.a is None and kind != "floating"
     on_a = sum(coupling.side == "A" for coupling in step.couplings)
     across = sum(block.across for block in step.blocks)
     rows = block_rows(kind)
     return {
-        f"join.{'ground' if grounded else kind}": 1,
-        "join.coupling_a": on_a,
-        "join.coupling_b": len(step.couplings) - on_a,
-        "join.block": rows * (len(step.blocks) - across),
-        "join.across": rows * across,
+        f"{group}.{'ground' if grounded else kind}": 1,
+        f"{group}.coupling_a": on_a,
+        f"{group}.coupling_b": len(step.couplings) - on_a,
+        f"{group}.block": rows * (len(step.blocks) - across),
+        f"{group}.across": rows * across,
     }
 
 
@@ -207,12 +214,15 @@ _OF_LEVELS = {"join": "parts.join", "disassemble": "parts.release"}
 _LANES = {2: "two", 4: "four"}
 
 
-def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Features:
+def operation_features(
+    operation: Operation, joints: Sequence[PlanJoint], joins: str = "join"
+) -> Features:
     """Return the features of an operation; none for a message.
 
     Args:
         operation: an operation of a program.
         joints: the joints of its plan.
+        joins: the group that prices the plan's joins (``joins_of``).
     """
     block = operation.block
     if isinstance(block, Limbs):
@@ -226,7 +236,7 @@ def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Fea
             levels = len(operation.steps).bit_length() - (len(operation.steps) % 2 == 0)
             found.append({_OF_LEVELS[operation.does]: levels})
     else:
-        found = [_of_step(step, operation, joints) for step in operation.steps]
+        found = [_of_step(step, operation, joints, joins) for step in operation.steps]
     if isinstance(block, Run):
         found.append(_run_features(operation, block, joints))
     return added(found)
@@ -299,7 +309,7 @@ def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoi
     return added(found)
 
 
-def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> Features:
+def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint], joins: str) -> Features:
     """Features of a step by the method of its operation."""
     if isinstance(step, _SWEPT):
         return _of_joint(step, joints[step.joint], operation.method, operation.does)
@@ -315,4 +325,4 @@ def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> F
             return {"deliver.along": 1}
         case Load(), "through":
             return {}
-    return step_features(step, joints)
+    return step_features(step, joints, joins)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from adagen.cost.features import operation_features
+from adagen.cost.features import joins_of, operation_features
 from adagen.cost.straight import straight_times
 from adagen.plan.stages import Stage, stages
 from adagen.plan.steps import Receive, Send
@@ -213,12 +213,12 @@ def _times(program: Program, costs: StepCosts) -> Times:
         straight = straight_times(program, costs)
         return lambda p, place, _: straight[p][place]
     plan = program.plan
-    loops = program.shape == LOOPS
+    loops, joins = program.shape == LOOPS, joins_of(plan)
     sides = len(plan.slaved)  # right-hand sides of every step beside the motion
     share = 1 + sides * costs["slaved.column"]
 
     def time(_p: int, _place: int, operation: Operation) -> float:
-        once = costs.total(operation_features(operation, plan.joints))
+        once = costs.total(operation_features(operation, plan.joints, joins))
         if not loops:
             return once * share
         return once * (1 if operation.does in PREPARED else 1 + sides)

@@ -22,9 +22,13 @@ PRESCRIBED = "prescribed"
 LIMIT = 1e6
 """Most microseconds that a coefficient may be."""
 
+REPEATED = "join_repeated"
+"""Joins of form `ada`."""
+_JOINED = (PRESCRIBED, "ground", "coupling_a", "coupling_b", "block", "across")
 PER_KIND: dict[str, tuple[str, ...]] = {
     "kinematics": ("run", "step"),
-    "join": (PRESCRIBED, "ground", "coupling_a", "coupling_b", "block", "across"),
+    "join": _JOINED,
+    REPEATED: _JOINED,
     "disassemble": (PRESCRIBED, "ground", "coupling"),
     "articulate": (PRESCRIBED, "ground", "reversed", "run", "turned"),
     "propagate": (PRESCRIBED, "ground", "reversed", "spread"),
@@ -48,15 +52,17 @@ A joint of known acceleration costs ``prescribed`` whatever its kind, and one on
 ``ground``; ``reversed`` is added where the segment's root lies below the joint, ``run`` once for
 every run of joints, ``turned`` for every joint of what is swept in the joints' own axes, and
 ``step`` where the kinematics of a joint are a call of their own; the others are per handle, block
-or coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs
-that they belong to cost something besides, once for each sweep (``limbs``; ``limbs.turned`` for
-each row that is swept in the joints' own axes). ``articulate_columns`` is for joints of runs that
-are computed by columns, ``kinematics_strips`` of runs passed outwards in strips,
-``passing_strips`` of those that are only passed on the way to others, ``kinematics_traversed`` of
-those whose strips a traversal has found before, and ``propagate_run`` of runs whose mobility is
-asked for at the last link only; ``product`` is a product of 6x6 matrices that they need beyond
-their joints and ``run``. ``propagate_along`` is the same where unit wrenches go along with the
-sweep inwards, by columns; ``deliver.along`` brings a force to a joint of such a run.
+or coupling. ``join_repeated`` prices the joins of form `ada`: they follow each other, so that their
+code is at hand, which that of the few joins between processes is not. What ends on a number prices
+a row of as many joints, passed side by side; the limbs that they belong to cost something besides,
+once for each sweep (``limbs``; ``limbs.turned`` for each row that is swept in the joints' own
+axes). ``articulate_columns`` is for joints of runs that are computed by columns,
+``kinematics_strips`` of runs passed outwards in strips, ``passing_strips`` of those that are only
+passed on the way to others, ``kinematics_traversed`` of those whose strips a traversal has found
+before, and ``propagate_run`` of runs whose mobility is asked for at the last link only; ``product``
+is a product of 6x6 matrices that they need beyond their joints and ``run``. ``propagate_along`` is
+the same where unit wrenches go along with the sweep inwards, by columns; ``deliver.along`` brings a
+force to a joint of such a run.
 """
 
 OTHERS: dict[str, tuple[str, ...]] = {
@@ -85,6 +91,8 @@ beginning to end, its instructions displace those that come next.
 
 ASSUMED = {"unrolled.evicted": 0.0, "unrolled.fits": LIMIT}
 """What holds where a profile says nothing: it was measured without lines of such a length."""
+LIKE = {REPEATED: "join"}
+"""Groups that a profile may leave out, and the groups whose coefficients hold for them then."""
 
 GROUPS: dict[str, tuple[str, ...]] = {
     **{group: (*KINDS, *extra) for group, extra in PER_KIND.items()},
@@ -223,9 +231,10 @@ def read_steps(source: Source, document: Mapping[str, object]) -> StepCosts | No
     found: dict[str, float] = {}
     steps = _table(source, document, "steps", GROUPS)
     for group, keys in GROUPS.items():
-        row = _table(source, steps, group, keys, "steps")
+        given = group if group in steps else LIKE.get(group, group)
+        row = _table(source, steps, given, keys, "steps")
         found |= {
-            f"{group}.{key}": _time(source, row, key, "steps", group)
+            f"{group}.{key}": _time(source, row, key, "steps", given)
             for key in keys
             if key in row or f"{group}.{key}" not in ASSUMED
         }

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from adagen.cost.features import joins_of
 from adagen.emit.predicted import predict
 from adagen.model import Model
 from adagen.paper.bounds import Rules
@@ -124,10 +125,10 @@ class _Played:
         """
         costs = self.profile.measured
         plan = make_plan(self.model, self.found, form="ada", scalar=self.scalar)
-        work = 0.0
+        work, joins = 0.0, joins_of(plan)
         for step in plan.steps_of(Join):
             joint = plan.joints[step.joint]
-            join = min(costs[f"join.{joint.priced_as}"], costs["join.ground"])
+            join = min(costs[f"{joins}.{joint.priced_as}"], costs[f"{joins}.ground"])
             work += join + costs[f"disassemble.{joint.priced_as}"]
         speeds = costs.speeds(self.found.processes)
         return costs["process.evaluation"] / max(speeds) + work / sum(speeds)

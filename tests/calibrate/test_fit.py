@@ -25,6 +25,7 @@ from adagen.calibrate.straight import fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text
 from adagen.cost import operation_features, timeline
+from adagen.cost.features import joins_of
 from adagen.program import Program
 from adagen.schedule import load_profile, parse_profile
 from adagen.schedule.costs import NAMES, OTHERS, ChannelCosts, StepCosts
@@ -65,7 +66,7 @@ def test_every_coefficient_that_prices_something_is_measured(
         for program in programs
         for process in program.processes
         for operation in process.operations
-        for name in operation_features(operation, program.plan.joints)
+        for name in operation_features(operation, program.plan.joints, joins_of(program.plan))
     }
     fitted = {"process.evaluation", "process.margin", "unrolled.held"}
     fitted |= {name for name in NAMES if name.startswith(("slaved.", "unrolled."))}

@@ -10,6 +10,7 @@ import pytest
 
 from adagen.calibrate.schedules import random_schedule
 from adagen.cost import operation_features, step_features, timeline
+from adagen.cost.features import joins_of
 from adagen.emit.predicted import predict, priced_program
 from adagen.model.kinds import KINDS, REVOLUTE
 from adagen.plan import Plan, make_plan
@@ -60,7 +61,8 @@ def test_one_process_takes_the_sum_of_its_operations(form: str) -> None:
     made, costs = plan(1, form), step_costs()
     shape = "joints" if form == "ada" else "kernels"
     program = priced_program(made, shape, step_profile())
-    features = [operation_features(op, made.joints) for op in program.processes[0].operations]
+    own = program.processes[0].operations
+    features = [operation_features(op, made.joints, joins_of(made)) for op in own]
     line = timeline(program, step_profile())
     total = sum(map(costs.total, features))
     assert line.makespan == pytest.approx(total + costs["process.evaluation"])
@@ -127,11 +129,11 @@ def test_joints_of_prescribed_motion_have_prices_of_their_own(form: str) -> None
         for process in made.processes
         for step in process.steps
         if made.joints[getattr(step, "joint", 0)].prescribed
-        for name in step_features(step, made.joints)
+        for name in step_features(step, made.joints, joins_of(made))
     }
     kinds = {name for name in names if name.split(".")[1] in KINDS}
     assert kinds and all(name.startswith("kinematics.") for name in kinds)
-    own = "join.prescribed" if form == "ada" else "articulate.prescribed"
+    own = "join_repeated.prescribed" if form == "ada" else "articulate.prescribed"
     assert own in names
     dear = step_profile((), **{own.replace(".", "__"): 1.0})
     assert predict(made, dear).makespan > predict(made, step_profile()).makespan + 0.5

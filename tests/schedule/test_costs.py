@@ -9,7 +9,7 @@ import pytest
 from adagen.calibrate import profile_text
 from adagen.errors import InputError
 from adagen.schedule import load_profile, parse_profile
-from adagen.schedule.costs import NAMES, StepCosts
+from adagen.schedule.costs import NAMES, PER_KIND, StepCosts
 from tests.cost.costs import MESSAGE, WINDOW, step_costs, step_profile
 
 GOOD = profile_text(step_profile((1.0, 0.5)), "for tests")
@@ -89,3 +89,15 @@ def test_cores_beyond_those_listed_have_speed_1() -> None:
     assert [costs.speed(p) for p in range(3)] == [0.5, 1.0, 1.0]
     assert costs.channel("auto") == costs.channel("window") == WINDOW
     assert costs.channel("message") == MESSAGE
+
+
+def test_a_profile_may_leave_out_how_joins_that_follow_each_other_are_priced() -> None:
+    """They take what others do then."""
+    first = GOOD.index("[steps.join_repeated]")
+    short = GOOD[:first] + GOOD[GOOD.index("[steps.disassemble]") :]
+    costs, whole = parse_profile(short, "x").measured, parse_profile(GOOD, "x").measured
+    for key in PER_KIND["join"]:
+        assert costs[f"join_repeated.{key}"] == costs[f"join.{key}"] == whole[f"join.{key}"]
+        assert whole[f"join_repeated.{key}"] != whole[f"join.{key}"]
+    with pytest.raises(InputError, match=r"steps\.join_repeated\.block is missing"):
+        parse_profile(GOOD[:first] + GOOD[first:].replace("block", "# block", 1), "x")
