@@ -33,7 +33,7 @@ _LONG = 8500
 """Values beyond which the line of a single state is long: short functions have short stack frames,
 within reach of short displacements, and it fits a first instruction cache of 64 kB more often."""
 _LEAST = 0.6  # of its limit is what a function computes at least, but for the last one
-_MOST = 6500  # values of several functions, beyond which their instructions fit no near cache
+_MOST = 5900  # values of several functions: of more, fewer instructions gain more than less waiting
 _WORTH = 0.5  # waiting, of their work: what is alive for long costs instructions, which they lack
 
 
