@@ -110,9 +110,11 @@ struct Frames {
   }
 };
 
-// Adds how fast a point of a link moves along a direction, or the link turns about it.
-inline void add_rate(const std::vector<Pose>& pose, int link, Real sign, bool linear, const Vec& n,
+// Adds how fast a point of a link moves along a direction, or the link turns about it. Returns how
+// fast it moves in whatever direction, the size of what is added.
+inline Real add_rate(const std::vector<Pose>& pose, int link, Real sign, bool linear, const Vec& n,
                      const Vec& place, Real* row) {
+  Real size = 0;
   for (; link > 0; link = about.joints[link - 1].parent) {
     const Joint& joint = about.joints[link - 1];
     const Pose& own = pose[static_cast<std::size_t>(link)];
@@ -124,8 +126,19 @@ inline void add_rate(const std::vector<Pose>& pose, int link, Real sign, bool li
       const Vec w = check::times(own.turn, angular);
       const Vec v = check::times(own.turn, sliding) + check::cross(w, minus(place, own.origin));
       row[joint.v + k] += sign * dot(n, linear ? v : w);
+      size += check::length(linear ? v : w);
     }
   }
+  return size;
+}
+
+// A row that is rounding beside what it is made of is none: across the plane of a linkage nothing
+// moves.
+inline void clear_noise(Real* row, Real size) {
+  constexpr Real kNoise = sizeof(Number) == sizeof(double) ? 1e-10L : 1e-5L;
+  Real squared = 0;
+  for (int j = 0; j < about.nv; ++j) squared += row[j] * row[j];
+  if (std::sqrt(squared) <= kNoise * size) std::fill_n(row, about.nv, Real(0));
 }
 
 inline Constraints constraints(const Number* q) {
@@ -140,8 +153,9 @@ inline Constraints constraints(const Number* q) {
     const Frames frames(loop, pose);
     frames.each([&](bool linear, const Vec& n, Real gap) {
       Real* const row = add(gap);
-      add_rate(pose, loop.link2, 1, linear, n, frames.place2, row);
-      add_rate(pose, loop.link1, -1, linear, n, frames.seen, row);
+      const Real size = add_rate(pose, loop.link2, 1, linear, n, frames.place2, row) +
+                        add_rate(pose, loop.link1, -1, linear, n, frames.seen, row);
+      clear_noise(row, size);
     });
   }
   for (const Coupling& coupling : about.couplings) {

@@ -13,10 +13,11 @@ from adagen.errors import InputError
 from adagen.executor import interpret
 from adagen.library import read
 from adagen.reference.closed import closed_forward_dynamics, closed_states, constraints
+from adagen.states import states_text
 from tests.emitted import QUICK, Builder, Solver, text_of
 from tests.end_to_end.test_verdict import spoilt
 from tests.executor.test_closures import plan_of
-from tests.mechanisms import MECHANISMS, four_bar, gripping
+from tests.mechanisms import MECHANISMS, four_bar, gripping, states_of
 from tests.slow import spread
 
 URDF = """<robot name="bars">
@@ -180,6 +181,24 @@ def test_a_simulation_stays_closed(builder: Builder, tmp_path: Path) -> None:
     assert torn.status == 1
     assert "within this step it opens" in torn.stderr and "at t = " in torn.stderr
     assert torn.stderr.endswith("take a smaller --step")
+
+
+def test_a_simulation_takes_nothing_of_rows_that_are_rounding(
+    builder: Builder, tmp_path: Path
+) -> None:
+    """Across the plane of a floating four-bar J is: the base keeps its velocity there."""
+    model = four_bar(floating=True)
+    plan, (states, path) = plan_of(model), (states_of(model, 1, seed=3), tmp_path / "motion.npz")
+    solver = builder.solver(plan, QUICK, shape="unrolled", name="closed")
+    (tmp_path / "states.json").write_text(states_text(states, model))
+    asked = ("--states", tmp_path / "states.json", "--trajectory", path)
+    solver.run(*asked, "--simulate", "0.003", "--step", "0.0001")
+    with np.load(path) as motion:
+        q, v = motion["q"][1:-1], motion["v"]
+        found = (v[2:] - v[:-2]) / 2e-4
+    rows = zip(q, v[1:-1], strict=True)
+    truth = np.array([closed_forward_dynamics(model, *row, states.tau[0]) for row in rows])
+    assert np.abs(found - truth).max() < 1e-5 * np.abs(truth).max()
 
 
 @pytest.mark.parametrize("part", spread(range(PARTS), 1))
