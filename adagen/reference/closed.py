@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from adagen.exact import rotation_taking_z_to, rounded
 from adagen.model import FLOATING, PRISMATIC, REVOLUTE, SPHERICAL, Joint, Loop, Model
-from adagen.reference.coupling import checked, coupled
+from adagen.reference.coupling import checked, coupled, prescribed
 from adagen.reference.coupling import coupling as following
 from adagen.reference.double import inverse_dynamics, joint_space_inertia
 from adagen.reference.loop_rows import loop_rows
@@ -362,10 +362,11 @@ def closed_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, rank: float 
     """Return the joint accelerations of a robot with loops, by the null space of J.
 
     With N an orthonormal basis of it, (N^T H N) y = N^T (tau - bias - H a), qdd = a + N y, where
-    a is the least acceleration that satisfies J a = -Jdot v. Slaved joints follow their sources.
+    a satisfies J a = -Jdot v and what is prescribed, with the least accelerations beside that.
+    Slaved joints follow their sources.
 
     Args:
-        model: the robot, without prescribed joints.
+        model: the robot.
         q: configuration that satisfies the constraints, shape (nq,).
         v: velocity that does, shape (nv,).
         tau: torques, shape (ntau,).
@@ -375,9 +376,11 @@ def closed_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, rank: float 
     tau = checked(model, "tau", tau, model.ntau)
     q, v = coupled(DOUBLE, model, q, v)
     (rows, fast), follow = loop_rows(DOUBLE, model, q, v), following(DOUBLE, model)
+    given = prescribed(DOUBLE, model, tau)
     left, sizes, right = np.linalg.svd(rows @ follow)
     kept = int((sizes > rank * sizes[:1].sum()).sum())
-    least = -follow @ (right[:kept].T @ ((left[:, :kept].T @ fast) / sizes[:kept]))
+    open_by = left[:, :kept].T @ (fast + rows @ given)
+    least = given - follow @ (right[:kept].T @ (open_by / sizes[:kept]))
     inertia, free = joint_space_inertia(model, q), follow @ right[kept:].T
     needed = tau[: model.nv] - inverse_dynamics(model, q, v, least, tau)
     reduced = free.T @ inertia @ free

@@ -18,6 +18,7 @@ from adagen.plan import closures, make_plan
 from adagen.plan.steps import CarryRows
 from adagen.program import check
 from adagen.program.lower import lower
+from adagen.reference import residual
 from adagen.reference.closed import closed_forward_dynamics
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
@@ -77,6 +78,9 @@ def test_a_prescribed_joint_moves_the_loop(name: str) -> None:
     for k, state in enumerate(states.each):
         found = interpret(plan, *state, lanes=True)
         assert np.abs(found - truth[k]).max() < 1e-10 * np.abs(truth[k]).max()
+        dense = closed_forward_dynamics(model, *state)
+        assert np.abs(dense - truth[k]).max() < 1e-9 * np.abs(truth[k]).max()
+        assert residual(model, *state, dense) < 1e-12
 
 
 def test_rows_pass_a_prescribed_joint(monkeypatch: pytest.MonkeyPatch) -> None:

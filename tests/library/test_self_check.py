@@ -1,15 +1,18 @@
-"""A straight line that solves another robot is not emitted."""
+"""What solves another robot is not emitted."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
 import adagen
 from adagen.emit import program_of
 from adagen.executor.rows import Rows
+from adagen.executor.run import PlanError
 from adagen.library.self_check import check_answer
 from adagen.model import Model
 from tests.executor.test_closed_lane_branches import geared_pairs
@@ -49,3 +52,26 @@ def test_a_limb_on_a_closed_loop_that_is_left_out_is_found(monkeypatch: pytest.M
     monkeypatch.setattr("adagen.executor.closures.is_rigid", lambda *_: True)
     with pytest.raises(AssertionError, match="solves another robot"):
         checked(geared_pairs(["trunk"] * 3, [("trunk", None), ("tail", "near2")]))
+
+
+@pytest.mark.parametrize(
+    ("shape", "form", "procs"),
+    [("kernels", "segment", 2), ("joints", "ada", 2), ("unrolled", "ada", 1)],
+)
+def test_other_shapes_are_checked_too(shape: str, form: str, procs: int) -> None:
+    """A body whose centre of mass is elsewhere, and a joint whose acceleration is left out."""
+    robot = adagen.read(EXAMPLES / "mobile.urdf")
+    found = adagen.compile(robot, procs, shape=shape, form=form, schedule="balanced")
+    plan, program = found.plan, found.program
+    check_answer(robot.model, plan, program)
+    *links, tip = plan.links
+    moved = replace(
+        tip, com=(0.3, *tip.com[1:]), phi=tuple(map(tuple, np.diag([5.0] * 3 + [1.0] * 3)))
+    )
+    with pytest.raises(AssertionError, match="solves another robot"):
+        check_answer(robot.model, replace(plan, links=(*links, moved)), program)
+    first, *others = program.processes
+    kept = [each for each in first.operations if each.does not in ("accelerate", "disassemble")]
+    short = replace(program, processes=(replace(first, operations=tuple(kept)), *others))
+    with pytest.raises((AssertionError, PlanError), match=r"solves another robot|does not have"):
+        check_answer(robot.model, plan, short)
