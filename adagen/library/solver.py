@@ -345,7 +345,9 @@ class Solver(Vectors):
         return hash(self.compiled)  # what is set at run time may change
 
     def __copy__(self) -> Solver:
-        return _again(self.compiled, self._parameters, self.keeps_lock_below)
+        other = type(self)()
+        other.compiled = self.compiled
+        return _set_as(other, self._parameters, self.keeps_lock_below)
 
     def __deepcopy__(self, _: object) -> Solver:
         return copy(self)
@@ -359,7 +361,11 @@ class Solver(Vectors):
 
 def _again(compiled: Compiled, parameters: NDArray[np.float64], keeps_lock_below: int) -> Solver:
     """Return another solver with the same run-time parameters."""
-    solver = compiled.build()
+    return _set_as(compiled.build(), parameters, keeps_lock_below)
+
+
+def _set_as(solver: Solver, parameters: NDArray[np.float64], keeps_lock_below: int) -> Solver:
+    """Return a new solver with run-time parameters of another."""
     solver.keeps_lock_below = keeps_lock_below
     if len(parameters):
         solver._set(0, parameters)

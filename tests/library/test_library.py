@@ -10,6 +10,7 @@ import pickle
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -18,6 +19,7 @@ import numpy as np
 import pytest
 
 import adagen
+from adagen.build import find_toolchain
 from adagen.errors import UsageError
 from adagen.library.request import Request
 from adagen.plan import plan_from_json
@@ -234,6 +236,13 @@ class TestObjects:
             assert other is not arm and other == arm and hash(other) == hash(arm)
             assert np.array_equal(other(*given), arm(*given))
             assert other.compiled.request == arm.compiled.request
+
+    def test_a_copy_is_of_the_same_build(self) -> None:
+        found = find_toolchain()
+        flags = tuple("-O1" if flag == "-O3" else flag for flag in found.flags)
+        solver = adagen.compile(adagen.read(ARM)).build(replace(found, flags=flags))
+        assert flags != found.flags
+        assert type(copy.copy(solver)) is type(copy.deepcopy(solver)) is type(solver)
 
     def test_a_pickle_is_equal_to_its_original(self) -> None:
         robot = adagen.read(ARM)
