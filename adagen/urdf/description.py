@@ -196,16 +196,25 @@ def _moments(element: Element, where: str, notes: Notes) -> tuple[float, ...]:
     return tuple(value for value in values.values() if value is not None)
 
 
-def read_origin(element: Element | None, where: str, notes: Notes) -> Origin:
-    """Return what an <origin> says; a missing one is that of the frame before it."""
+def read_origin(
+    element: Element | None, where: str, notes: Notes, *, beside: tuple[str, ...] = ()
+) -> Origin:
+    """Return what an <origin> says; a missing one is that of the frame before it.
+
+    Args:
+        element: it, or another one with its attributes.
+        where: whose it is, for messages.
+        notes: takes the remarks.
+        beside: other attributes that the element has.
+    """
     if element is None:
         return Origin()
-    check_attributes(element, ("xyz", "rpy"), where, notes)
+    check_attributes(element, ("xyz", "rpy", *beside), where, notes)
     xyz = vector(element, "xyz", 3, where, notes) or (0.0, 0.0, 0.0)
     rpy = vector(element, "rpy", 3, where, notes) or (0.0, 0.0, 0.0)
     if max(map(abs, rpy)) > 13.0:
         notes.warn(
-            f"{where}: rpy of <origin> is more than two turns: angles are in radians",
+            f"{where}: rpy of <{element.tag}> is more than two turns: angles are in radians",
             line_of(element),
         )
     return Origin((xyz[0], xyz[1], xyz[2]), (rpy[0], rpy[1], rpy[2]))

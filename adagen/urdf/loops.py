@@ -1,4 +1,4 @@
-"""Loops and couplings of a URDF: <loop>, <coupling> (URDF+), joints to links that have a parent."""
+"""Loops and couplings of a URDF: <loop>, <coupling> (URDF+), <loop_joint>, second parent joints."""
 
 from __future__ import annotations
 
@@ -51,11 +51,34 @@ _ROLLING = "rolling"
 
 
 @dataclass(frozen=True)
+class _Notation:
+    """How an element closes a loop.
+
+    Attributes:
+        ends: elements of the link that has frame 1, and of the other one.
+        inside: whether their frames are in an <origin>, not in attributes of their own.
+        axis: that of an element without one; None: it must have one.
+    """
+
+    ends: tuple[str, str]
+    inside: bool
+    axis: Triple | None
+
+
+_NOTATIONS = {
+    "loop": _Notation(("predecessor", "successor"), True, None),
+    "loop_joint": _Notation(("link1", "link2"), False, (1.0, 0.0, 0.0)),
+}
+"""URDF+, and Drake and Isaac Sim."""
+
+
+@dataclass(frozen=True)
 class Closing:
     """What closes the tree, by names.
 
     Attributes:
-        loops: <loop> elements in file order, then joints to links that have another parent joint.
+        loops: <loop> and <loop_joint> elements in file order, then joints to links that have
+            another parent joint.
         couplings: <coupling> elements.
         lines: of the loops, by name.
         subjects: what refusals of the loops begin with, by name.
@@ -82,9 +105,8 @@ def read_closing(
     Raises:
         InputError: an element is incomplete, of an unknown type, or names what does not exist.
     """
-    _refuse_loop_joints(root, notes)
-    found = children(root, {"loop", "coupling"}, "<robot>", notes)
-    elements = [element for element in found if element.tag == "loop"]
+    found = children(root, {*_NOTATIONS, "coupling"}, "<robot>", notes)
+    elements = [element for element in found if element.tag in _NOTATIONS]
     loops = [_loop(element, description, notes) for element in elements]
     lines = [line_of(element) for element in elements]
     subjects = {loop.name: f'loop "{loop.name}"' for loop in loops}
@@ -96,11 +118,12 @@ def read_closing(
     couplings = [_coupling(element, description, tree, notes) for element in gears]
     _check_unique("loop", loops, lines, notes)
     _check_unique("coupling", couplings, [line_of(element) for element in gears], notes)
-    for what, names in (("loop", loops[: len(elements)]), ("coupling", couplings)):
+    read = {element: loop.name for element, loop in zip(elements, loops, strict=False)}
+    read |= {element: gear.name for element, gear in zip(gears, couplings, strict=True)}
+    for what in (*_NOTATIONS, "coupling"):
+        names = [name for element, name in read.items() if element.tag == what]
         if names:
-            notes.mention(
-                f"<{what}> elements: {len(names)}, read: {quoted([n.name for n in names])}"
-            )
+            notes.mention(f"<{what}> elements: {len(names)}, read: {quoted(names)}")
     at = {loop.name: line for loop, line in zip(loops, lines, strict=True)}
     return Closing(tuple(loops), tuple(couplings), at, subjects)
 
@@ -132,18 +155,6 @@ def with_closing(model: Model, found: Closing, notes: Notes) -> Model:
         whole,
         lambda loop, why: notes.error(f"{found.subjects[loop.name]} {why}", found.lines[loop.name]),
     )
-
-
-def _refuse_loop_joints(root: Element, notes: Notes) -> None:
-    """Refuse Drake's own notation: without it the robot would be another machine."""
-    found = [e for e in root if str(e.tag).rpartition("}")[2].lower() == "loop_joint"]
-    if found:
-        names = quoted([element.get("name", "") for element in found])
-        raise notes.error(
-            f"<loop_joint> {names}: write a <loop> with <predecessor> and <successor>, or "
-            "[[loops]] in a scene",
-            line_of(found[0]),
-        )
 
 
 def _check_unique(
@@ -196,21 +207,27 @@ def _second_parent(joint: JointElement) -> NamedLoop:
 
 
 def _loop(element: Element, description: Description, notes: Notes) -> NamedLoop:
-    name = attribute(element, "name", "a <loop>", notes)
+    written = _NOTATIONS[element.tag]
+    name = attribute(element, "name", f"a <{element.tag}>", notes)
     where = f'loop "{name}"'
-    found = children(element, {"predecessor", "successor", "axis"}, where, notes)
+    found = children(element, {*written.ends, "axis"}, where, notes)
     kind = _type(element, where, _KIND_OF_LOOP, "or [[loops]] in a scene", notes)
 
     def end(tag: str) -> LoopEnd:
         part, link = _end(found, tag, element, where, description, notes)
-        inside = children(part, {"origin"}, where, notes)
-        origin = read_origin(only(inside, "origin", where, notes), where, notes)
+        if written.inside:
+            inside = children(part, {"origin"}, where, notes)
+            origin = read_origin(only(inside, "origin", where, notes), where, notes)
+        else:
+            origin = read_origin(part, where, notes, beside=("link",))
         return LoopEnd(link, origin.xyz, origin.rpy)
 
-    first, second = end("predecessor"), end("successor")
+    first, second = map(end, written.ends)
     if not LOOP_WORDS[kind].axes:
         return NamedLoop(name, kind, first, second)
     axis = only(found, "axis", where, notes)
+    if axis is None and written.axis is not None:
+        return NamedLoop(name, kind, first, second, written.axis)
     return NamedLoop(name, kind, first, second, _axis(axis, element, where, notes))
 
 
@@ -246,7 +263,7 @@ def _end(
     description: Description,
     notes: Notes,
 ) -> tuple[Element, str]:
-    """Return a <predecessor> or <successor> and the link that it names."""
+    """Return an element for an end of a loop or coupling, and the link that it names."""
     part = only(found, tag, where, notes)
     if part is None:
         raise notes.error(f"{where} has no <{tag}>: add one", line_of(element))

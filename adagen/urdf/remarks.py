@@ -28,6 +28,7 @@ _MODELLED = {
     "link": {"inertial"},
     "joint": {"parent", "child", "origin", "axis", "mimic", "dynamics"},
     "loop": {"predecessor", "successor", "axis"},
+    "loop_joint": {"link1", "link2", "axis"},
     "coupling": {"predecessor", "successor", "ratio"},
 }
 """What is modelled, or warned of where it is not."""

@@ -152,6 +152,21 @@ def test_dynamics_of_a_joint_that_closes_a_loop_are_told(read: Read) -> None:
         assert len(reading.warnings) == 2
 
 
+@pytest.mark.parametrize(
+    ("said", "kind", "axis"),
+    [("continuous", "revolute", Y), ("revolute", "revolute", ""), ("spherical", "spherical", Y)],
+)
+def test_a_loop_joint_is_a_loop_in_other_words(said: str, kind: str, axis: str, read: Read) -> None:
+    """Its axis is along x where none is given, as Drake and Isaac Sim read it."""
+    named = f'name="l" type="{said}"'
+    same = read(chain(loop(named, axis=axis or '<axis xyz="1 0 0"/>'))).model
+    ends = '<link1 link="c" xyz="0 0 0.3"/><link2 link="d" xyz="0.1 0 0.2" rpy="0 0.5 0"/>'
+    reading = read(chain(f"<loop_joint {named}>{ends}{axis}</loop_joint>\n"))
+    assert reading.model.loops[0].kind.name == kind
+    alike(reading.model, same)
+    assert reading.mentions == ('<loop_joint> elements: 1, read: "l"',)
+
+
 CASES = {
     "no name": (loop('type="fixed"'), 'a <loop>: name="..." of <loop> is missing'),
     "no type": (loop('name="l"'), 'loop "l" has no type="...": known types are revolute,'),
@@ -176,7 +191,14 @@ CASES = {
     ),
     "in capitals": ("<Loop/>", "unknown element <Loop>: write <loop>"),
     "in a namespace": ('<x:loop xmlns:x="http://x"/>', "remove the namespace"),
-    "of Drake": ('<loop_joint name="l"/>', '<loop_joint> "l": write a <loop>'),
+    "of Drake, in one link": (
+        '<loop_joint name="l" type="continuous"><link1 link="c"/></loop_joint>',
+        'loop "l" has no <link2>',
+    ),
+    "of Drake, misspelt": (
+        '<loop_joint name="l" type="ball"><link1 link="c" pos="0 0 1"/></loop_joint>',
+        'loop "l": <link1> has an unknown attribute "pos"',
+    ),
     "coupling of nothing": (coupling(first="d"), 'coupling "k": no joint moves its links'),
     "no ratio": (coupling(ratio=""), 'coupling "k" has no <ratio value="...">'),
     "ratio zero": (coupling(ratio='<ratio value="0"/>'), 'coupling "k" has ratio zero'),
