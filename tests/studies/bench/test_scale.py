@@ -129,8 +129,9 @@ def points(svg: str) -> dict[str, list[tuple[float, float]]]:
     return found
 
 
+@pytest.mark.slow
 def test_small_chains_are_built_timed_and_right() -> None:
-    """Real builds: two chains on one process and on two."""
+    """Real builds: two chains on one process and on two. Quick tests build by the command."""
     said: list[str] = []
     wanted = Wanted([(8, (1, 2)), (16, (2,))], Rules(rounds=1, repeat=1), peer=False)
     kept: list[int] = []
