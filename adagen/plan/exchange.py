@@ -162,8 +162,12 @@ class ExchangePlanner(SegmentPlanner):
     def _show_bare(self, process: int, a: Chain, b: Chain) -> None:
         """Steps for a bare link's bias on every process of a chain that it is joined to."""
         links = [link for part in (a, b) if part.joint is None for link in part.biases]
-        for p in (*self._knows(a), *self._knows(b)):
-            self.steps[p] += [LinkBias(link) for link in links if p != process]
+        for p in self._joining_parts(a, b) - {process}:
+            self.steps[p] += map(LinkBias, links)
+
+    def _joining_parts(self, *parts: Chain) -> set[int]:
+        """The processes that know one of two parts; what the ground holds shows nothing."""
+        return {p for part in parts if part.biases for p in self._knows(part)}
 
     def exchange(self, messages: Iterable[Message], steps: list[list[Step]] | None = None) -> None:
         """Add messages, all of which are sent before any is received.
@@ -183,7 +187,7 @@ class ExchangePlanner(SegmentPlanner):
 
     def _join(self, run: Run, process: int, a: Chain, b: Chain) -> Chain:
         """Join two parts on all processes that know them."""
-        knowing = {p for part in (a, b) if part.biases for p in self._knows(part)} or {process}
+        knowing = self._joining_parts(a, b) or {process}
         first, *others = sorted(knowing)
         whole = super()._join(run, first, a, b)
         join = self.steps[first][-1]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from dataclasses import replace
 
@@ -29,10 +30,10 @@ from adagen.program import check
 from adagen.program.check import ProgramError
 from adagen.program.lower import lower
 from adagen.schedule import Topology, load_profile
-from adagen.search import named_schedule
+from adagen.search import named_schedule, schedule_from_json
 from tests.emit.test_messages import unguarded
 from tests.links import with_inertia
-from tests.models import random_tree, serial_chain
+from tests.models import Part, assemble, random_inertia, random_tree, serial_chain, vector
 from tests.plan.test_fused import balanced
 from tests.plan.test_gather import by_process, error
 from tests.schedules import random_schedule
@@ -51,6 +52,26 @@ def test_any_schedule_of_any_tree_can_exchange(
     for shape in ("kernels", "unrolled"):
         check(lower(plan, shape))
     assert error(model, plan) < 1e-8
+
+
+def test_what_stands_on_the_ground_shows_others_nothing() -> None:
+    """The last join is of a bare link with the ground; another process knows what stands there."""
+    rng = np.random.default_rng(3)
+    legs = {"a": None, "b1": None, "b2": "b1", "c": None}
+    turned = vector(0.6, 0.8, 0.0)
+    parts = [
+        Part(name, above, REVOLUTE, random_inertia(rng), vector(0.1, 0.2, 0.3), axis=turned)
+        for name, above in legs.items()
+    ]
+    model = assemble("legs", parts)
+    inner = {"joint": "c", "processes": [0, 1]}, {"joint": "b2", "processes": [1, 2]}
+    middle = {"joint": "b1", "processes": [0, 2], "children": inner}
+    tree = {"joint": "a", "processes": [0, 2], "children": [middle]}
+    text = json.dumps({"root": tree, "meeting": "exchange"})
+    plan = make_plan(model, schedule_from_json(text, Topology.of(model), PROFILE))
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+    assert error(model, plan) < 1e-11
 
 
 @pytest.mark.parametrize(
