@@ -51,6 +51,7 @@ from benchmarks.solvers import source_of, tell
 from benchmarks.stability.adversary import arms, long_chains, trees
 from benchmarks.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 
+EVERY = 1000  # rows that a loop sweeps: more than robots have
 WAYS = [
     Certified("unrolled"),
     Certified("kernels"),
@@ -58,6 +59,8 @@ WAYS = [
     Certified("kernels", batch=True),
     Certified("unrolled", scalar="float"),
     Certified("kernels", scalar="float"),
+    Certified("unrolled", looped=EVERY),
+    Certified("unrolled", scalar="float", looped=EVERY),
 ]
 SHARED = [
     Certified("unrolled", processes=2),

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
 from adagen.cost.features import operation_features
-from adagen.executor import chosen_grouping
+from adagen.executor import Grouping, chosen_grouping, simulate
 from adagen.plan import Plan
+from adagen.plan.certificate import looped
 from adagen.plan.simd_groups import Limbs, simd_groupings
+from adagen.plan.steps import Certify
 from adagen.plan.tip_mobility import Mentions, mentions
 from adagen.plan.types import Process
 from adagen.program import Operation, Program, lower
@@ -18,6 +21,14 @@ from adagen.program.lower import LOOPS
 from adagen.program.slots import Slots
 from adagen.schedule import CostProfile, step_costs
 from adagen.schedule.costs import StepCosts
+
+_VALUE, _MOVE = 6.2, 3.2
+"""Bytes of code for each value of a certified straight line, and more for each move between lanes:
+within 5 % of those of robots of 49 to 74 freedoms (docs/records/certificates.md)."""
+_HELD = 70_000
+"""Such bytes that a first instruction cache of 64 kB holds: of 68 thousand a robot has fewer."""
+_AIMED_AT, _FUNCTION = 63_000, 2_000
+"""Bytes that longer ones come to where a loop sweeps residuals, and those of the loop."""
 
 
 @lru_cache(maxsize=16)  # a plan is priced, checked, drawn and emitted one after the other
@@ -45,7 +56,28 @@ def programmed(
     if shape == LOOPS:
         limbs = tuple(chosen_limbs(plan, process, costs) for process in plan.processes)
         return lower(plan, shape, limbs=limbs, costs=costs, again=again)
-    return lower(plan, shape, limbs=chosen_grouping(plan, costs), costs=costs)
+    limbs = chosen_grouping(plan, costs)
+    return lower(_within_cache(plan, limbs), shape, limbs=limbs, costs=costs)
+
+
+def _within_cache(plan: Plan, limbs: Grouping) -> Plan:
+    """A plan with residuals that a loop sweeps, for as many rows as its line is too long."""
+    every = looped(plan, len(plan.joints))
+    if every is None or any(step.looped for step in plan.steps_of(Certify)):
+        return plan
+    length = _length(plan, limbs)
+    if length <= _HELD:
+        return plan
+    (line,) = simulate(every, limbs)
+    assert line.machine.swept is not None
+    saved = (length - _length(every, limbs)) / len(line.machine.swept.rows)
+    return looped(plan, math.ceil((length + _FUNCTION - _AIMED_AT) / saved)) or plan
+
+
+def _length(plan: Plan, limbs: Grouping) -> float:
+    """Bytes of code of the straight line of one process, about."""
+    (line,) = simulate(plan, limbs)
+    return _VALUE * len(line.alive) + _MOVE * line.operations.moves
 
 
 @lru_cache(maxsize=4)

@@ -20,8 +20,10 @@ from adagen.executor.straight import (
     straight_line,
 )
 from adagen.executor.stretches import Stretch, at_once, stretches, work_of
+from adagen.executor.swept import KEPT, Swept
 
 __all__ = [
+    "KEPT",
     "RECEIVED",
     "SINGULAR",
     "Check",
@@ -31,6 +33,7 @@ __all__ = [
     "Run",
     "Simulated",
     "Stretch",
+    "Swept",
     "at_once",
     "chosen_grouping",
     "counted_stretches",

@@ -9,6 +9,7 @@ whatever their cause. Rounding that does not show is allowed for (allowance.py).
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,8 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
 from adagen.executor.shared_bound import Heard, parting, seen_with, spread_of, told
 from adagen.executor.state import State
-from adagen.graph import Expression, Factors, factorize, matrix_times, total
+from adagen.executor.swept_rows import SweptRows, by_depth
+from adagen.graph import Expression, Factors, Graph, factorize, matrix_times, total
 from adagen.plan.certificate import ROUNDING, has_inner_root
 from adagen.plan.digits import EPSILON
 from adagen.plan.limb_spread import spread_beyond
@@ -60,6 +62,8 @@ class Certificate(Allowance):
         if has_inner_root(state.plan):
             self.inner_root = InnerRoot(state, motion, steps, self.bases)
             self.bases = []  # nothing is taken of their free fall as a whole
+        asked = max((step.looped for step in steps if isinstance(step, Certify)), default=0)
+        self.rows_in_loop = asked if isinstance(state.graph, Graph) else 0  # numbers need none
 
     def reach(self, j: int, *, root: bool = False) -> None:
         """Use the acceleration of the link beyond a joint as soon as it is known.
@@ -95,6 +99,8 @@ class Certificate(Allowance):
         return self.motion.link_inertia(link) if link in self.own else self.state.zeros(6, 6)
 
     def _look_at(self, link: int, inertia: Array) -> None:
+        if link - 1 in self._looped:
+            return
         if link in self.own:
             self._start(link, inertia)
             return
@@ -155,6 +161,9 @@ class Certificate(Allowance):
         if self.parts is not None:
             self._sweep_parts(self.parts, inwards)
             return
+        if self._looped:
+            self._sweep_in_loop()
+            inwards = [j for j in inwards if j not in self._looped]
         for j in inwards:
             self._inwards(j)
             body: Articulated = self.memory["articulated", j]
@@ -165,6 +174,42 @@ class Certificate(Allowance):
             if not step.joints or base in step.joints:
                 self._error_of_base(base)
                 self.answer.add(base, 1, self._energy_of_base(base))
+
+    @cached_property
+    def _looped(self) -> list[int]:
+        """Joints whose rows a loop sweeps: the outermost ones, inwards."""
+        if not self.rows_in_loop:
+            return []
+        inwards = [name[1] for name in self.memory if _is(name, "articulated")]
+        return by_depth(self.state, inwards)[: self.rows_in_loop]
+
+    def _sweep_in_loop(self) -> None:
+        """Have a loop sweep them; the links within gather what is left over."""
+        rows = SweptRows(self, self._looped)
+        self.state.swept = rows.swept
+        seen, rounded, answer = rows.summed()
+        for sums, found in ((self.seen, seen), (self.rounded, rounded), (self.answer, answer)):
+            sums.add("loop", 1, found)
+        gather = rows.gather[1:]  # the ground comes first
+        masses = self._masses_beyond(gather) if self.bases else {}
+        for link in gather:
+            left, noise, force = rows.gathered(link)
+            self.memory["left", link] = self.memory["left", link] + left
+            self.memory["noise", link] = self.memory["noise", link] + noise
+            if self.bases:
+                bare = np.array([*force, *masses[link]], dtype=object)
+                self.memory["bare", link] = self.memory["bare", link] + bare
+
+    def _masses_beyond(self, gather: Sequence[int]) -> dict[int, Array]:
+        """Masses that links carry by joints that a loop sweeps, shape (1,)."""
+        rows, memory = self.state.rows, self.memory
+        for j in self._looped:
+            memory["mass", j + 1] = np.array([rows.mass(j + 1)], dtype=object)
+        memory.update({("mass", link): self.state.zeros(1) for link in gather})
+        for j in self._looped:
+            if any(rows.near_links(j)):
+                rows.hand_on("mass", j, memory["mass", j + 1])
+        return {link: memory["mass", link] for link in gather}
 
     def _sweep_parts(self, parts: FloatingParts, inwards: Sequence[int]) -> None:
         """The same in each part, to its first link."""

@@ -179,7 +179,8 @@ class Machine(Repeatable):
         given = [x for values in self.outputs.values() for x in values]
         lengths = (length for length, _ in self.lengths)
         energies = (*self.certificate, *self.energies)
-        return [*results, *given, *contents, *pivots, *lengths, *energies]
+        swept = [x for _, x, _ in self.swept.left] if self.swept else []
+        return [*results, *given, *contents, *pivots, *lengths, *energies, *swept]
 
     def marks(self) -> dict[int, int]:
         """Return the place of the step that each of its nodes belongs to, in ascending order."""

@@ -13,6 +13,7 @@ from adagen.executor.lanes import rows_of
 from adagen.executor.left_over import LeftOver
 from adagen.executor.process_memory import ProcessMemory
 from adagen.executor.rows import Rows
+from adagen.executor.swept import Swept
 from adagen.graph import Expression, Factors, Graph, Numbers, factorize, total
 from adagen.model import LINK_ACCELERATION
 from adagen.model.kinds import HELD, KINDS, JointKind
@@ -43,6 +44,7 @@ class State(ProcessMemory):
         outputs: what is wanted beside them, by the place in the plan; known likewise.
         certificate: squares of the energy norms of the error, as bounded, and of the answer, where
             the plan asks for them.
+        swept: what a loop that sweeps residuals finds in memory, if there is one.
         tied_joints: right-hand sides that push a joint, with factors (plan.tied_rows).
         tied_links: right-hand sides that push a link, each with a force, shape (6,).
         forces: of loops and couplings, by where they are given behind the accelerations.
@@ -73,6 +75,7 @@ class State(ProcessMemory):
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
         self.certificate: tuple[Any, ...] = ()
+        self.swept: Swept | None = None
         self.forces: dict[int, Array] = {}
         self.tied_joints: dict[int, list[tuple[int, float]]] = {}
         self.tied_links: dict[int, list[tuple[int, Array]]] = {}

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from math import isinf, sqrt
 
 from adagen.executor.run import Simulated
+from adagen.executor.swept import OPERATIONS, STATEMENTS
 from adagen.graph import Operations
 from adagen.plan.steps import Receive, Send, Step
 from adagen.schedule.costs import StepCosts
@@ -115,6 +116,10 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
             counts[here][mark] = counts[here].get(mark, 0) + 1
     work = work_of(simulated.operations, held)
     line = 0.0 if isinf(held) else work["unrolled.operation"] + work["unrolled.move"]
+    swept = simulated.machine.swept
+    if swept is not None:
+        line += STATEMENTS
+        work["unrolled.operation"] += OPERATIONS * len(swept.rows)
     computed = sum(sum(count.values()) for count in counts) or 1
     parts = []
     for k, (count, cycles) in enumerate(zip(counts, done, strict=True)):

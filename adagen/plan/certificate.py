@@ -67,6 +67,32 @@ def certified(plan: Plan) -> Plan:
     return replace(plan, processes=tuple(each.changed(weighed) for each in plan.processes))
 
 
+def looped(plan: Plan, rows: int) -> Plan | None:
+    """Return a certified plan whose straight line has a loop sweep residuals of its outermost rows.
+
+    None where it cannot: a loop sweeps trees of hinges without rotors, whose base may float, in one
+    process. Nothing but joints pushes their links, whose inertias are constant.
+
+    Args:
+        plan: the plan.
+        rows: how many; where there are fewer, all.
+    """
+    if not plan.certified or plan.several or plan.closed or plan.reproducible:
+        return None
+    if has_inner_root(plan) or any(plan.steps_of(Join)) or plan.sets_inertias or plan.wrenches:
+        return None
+    hinges = [joint for joint in plan.joints if joint.kind != "floating" or joint.parent]
+    if not hinges or any(
+        joint.kind != "revolute" or joint.rotor_inertia or joint.lent for joint in hinges
+    ):
+        return None
+
+    def swept(steps: tuple[Step, ...]) -> tuple[Step, ...]:
+        return tuple(replace(s, looped=rows) if isinstance(s, Certify) else s for s in steps)
+
+    return replace(plan, processes=tuple(each.changed(swept) for each in plan.processes))
+
+
 def why_not(plan: Plan) -> str | None:
     """Return why a plan's residuals cannot be swept, None where they can."""
     if plan.form != "segment":

@@ -287,8 +287,12 @@ class Plan:
 
         Lanes of a batch go the same way: the first one, or the last one, which suits all closed
         poses, where a pose in a group is poor. A reproducible one always takes the last one, so
-        that neighbours do not matter.
+        that neighbours do not matter. Their code is fetched once for all lanes: no loop sweeps
+        residuals.
         """
+        if any(step.looped for step in self.steps_of(Certify)):
+            plain = [p.changed(_without_loop) for p in self.processes]
+            return replace(self, processes=tuple(plain))
         if not self.closed:
             return self
         if self.reproducible:
@@ -374,3 +378,8 @@ class Plan:
     def paths(self, joints: Iterable[int]) -> set[int]:
         """Return the joints from the ground down to some joints, these included."""
         return paths_to_ground(self.joints, joints)
+
+
+def _without_loop(steps: tuple[Step, ...]) -> tuple[Step, ...]:
+    """The steps, with residuals that no loop sweeps."""
+    return tuple(replace(s, looped=0) if isinstance(s, Certify) else s for s in steps)

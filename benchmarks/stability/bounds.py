@@ -22,7 +22,7 @@ from adagen.executor.solve import interpret
 from adagen.graph import BALLS
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.certificate import certified, has_inner_root
+from adagen.plan.certificate import certified, has_inner_root, looped
 from adagen.program.strips import LANES
 from adagen.run import launch
 from adagen.schedule import load_profile
@@ -50,6 +50,7 @@ class Certified:
             of MPI that process 0 hands states out to.
         elsewhere: whether two threads gather elsewhere than at the base or the ground.
         parts: whether one process has a chain in parts, one in each SIMD lane.
+        looped: rows of joints whose residuals a loop sweeps in a straight line, where that can be.
     """
 
     shape: str
@@ -58,11 +59,13 @@ class Certified:
     processes: int = 1
     elsewhere: bool = False
     parts: bool = False
+    looped: int = 0
 
     def __str__(self) -> str:
         words = [self.shape] + ["batch"] * self.batch
         words += [f"P = {self.processes}"] * (self.processes > 1) + ["elsewhere"] * self.elsewhere
         words += ["in parts"] * self.parts
+        words += ["in a loop"] * (self.looped > 0)
         return ", ".join(words + [self.scalar] * (self.scalar != "double"))
 
 
@@ -196,7 +199,13 @@ def _plan_of(model: Model, way: Certified) -> Plan:
     if way.elsewhere:
         return plan_elsewhere(model, way.scalar)
     processes = 1 if way.batch else way.processes
-    return certified_plan(model, way.scalar, processes, parts=way.parts)
+    plan = certified_plan(model, way.scalar, processes, parts=way.parts)
+    if not way.looped:
+        return plan
+    other = looped(plan, way.looped)
+    if other is None:
+        raise UsageError("no loop can sweep its residuals")
+    return other
 
 
 def own_truths(plan: Plan, states: States) -> list[Array | None]:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from adagen.emit.unrolled.order import Pace, in_functions, limit_of_functions
-from adagen.executor import RECEIVED, SINGULAR, Check, Machine, Simulated
+from adagen.executor import KEPT, RECEIVED, SINGULAR, Check, Machine, Simulated
 from adagen.graph import Node, live_nodes
 from adagen.plan.stages import Stage, stages
 from adagen.plan.types import Process
@@ -52,6 +52,7 @@ class Arrangement:
 
     Attributes:
         stretches: by the place of the stage that they precede; the last by the number of stages.
+        after: what waits for a loop that sweeps residuals, behind all others.
         places: values that the workspace holds at once.
         turns: when a value is computed, by its index.
     """
@@ -59,6 +60,7 @@ class Arrangement:
     stretches: dict[int, Stretch]
     places: int
     turns: dict[int, int]
+    after: Stretch = field(default_factory=lambda: Stretch(None, ()))
 
 
 def arranged(
@@ -80,8 +82,11 @@ def arranged(
     nodes = machine.graph.nodes
     alive = [k for k in simulated.alive if nodes[k].op != "constant" and not is_given(nodes[k])]
     pace = None if costs is None else Pace.of(simulated.operations, len(alive), costs)
-    longest = longest or limit_of_functions(len(alive), single=costs is not None)
+    short = machine.swept is not None
+    longest = longest or limit_of_functions(len(alive), single=costs is not None, short=short)
     found = stages(process)
+    waiting = _waiting(machine, alive)
+    alive = [k for k in alive if k not in waiting]
     for place, stage in enumerate([*found, None]):
         if stage is not None and stage.message is None:
             last_work = place
@@ -95,15 +100,33 @@ def arranged(
         functions = in_functions(machine.graph, process, now, longest, pace)
         stretches[place] = Stretch(last_work, tuple(map(Chunk, functions)))
         last_work = None
-    chunks = [chunk for stretch in stretches.values() for chunk in stretch.chunks]
+    functions = in_functions(machine.graph, process, waiting, longest, pace) if waiting else []
+    after = Stretch(None, tuple(map(Chunk, functions)))
+    chunks = [chunk for each in (*stretches.values(), after) for chunk in each.chunks]
     computed = (index for chunk in chunks for index in chunk.values)
     turns = {index: turn for turn, index in enumerate(computed)}
-    return Arrangement(stretches, _assign_places(machine, chunks, turns), turns)
+    return Arrangement(stretches, _assign_places(machine, chunks, turns), turns, after)
+
+
+def _waiting(machine: Machine, alive: Sequence[int]) -> set[int]:
+    """The values that depend on what a loop gives that sweeps residuals."""
+    nodes, waiting = machine.graph.nodes, set[int]()
+    if machine.swept is None:
+        return waiting
+    for k in alive:
+        if any(a in waiting or is_swept(nodes[a]) for a in nodes[k].args):
+            waiting.add(k)
+    return waiting
 
 
 def is_given(node: Node) -> bool:
     """Whether a value is an input that is there from the start, not from a message."""
     return node.op == "input" and not str(node.value).startswith(RECEIVED)
+
+
+def is_swept(node: Node) -> bool:
+    """Whether a value is an input that a loop gives which sweeps residuals."""
+    return node.op == "input" and str(node.value).startswith(KEPT)
 
 
 def _needed(machine: Machine, pending: Iterable[int], stage: Stage | None) -> set[int]:
@@ -139,11 +162,15 @@ def _assign_places(machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int
     users = _users_beyond(machine, chunks, turns)
     nodes = machine.graph.nodes
     free: dict[int, list[int]] = defaultdict(list)  # by width; wide values are aligned
-    count = 0
+    swept = machine.swept
+    left = {} if swept is None else swept.first_places()
+    count = 0 if swept is None else swept.places
     place: dict[int, int] = {}
     for k, chunk in enumerate(chunks):
         for index in chunk.values:
-            if index in users:
+            if index in left:
+                place[index] = chunk.stores[index] = left[index]
+            elif index in users:
                 width = nodes[index].width
                 if not free[width]:
                     first = -(-count // width) * width
@@ -152,7 +179,7 @@ def _assign_places(machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int
         for index, wanting in users.items():
             if k in wanting:
                 chunk.loads[index] = place[index]
-                if wanting[-1] == k:
+                if wanting[-1] == k and index not in left:
                     free[nodes[index].width].append(place[index])
     return count
 

@@ -16,12 +16,14 @@ from adagen.emit.unrolled.arrangement import (
     Stretch,
     arranged,
     is_given,
+    is_swept,
     looked_at,
 )
 from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.results import Results, names_state
+from adagen.emit.unrolled.swept import kept_lines, sweep_line, swept_values
 from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
-from adagen.executor import Simulated, simulate
+from adagen.executor import Simulated, Swept, simulate
 from adagen.executor.checks import exceeds
 from adagen.executor.lanes import Grouping
 from adagen.graph import Expression, Node, live_nodes
@@ -52,15 +54,17 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         one for each, limbs in zip(plans, groupings, strict=True) for one in simulate(each, limbs)
     ]
     processes = [process for each in plans for process in each.processes]
-    wide = any(simulated.machine.rows.rows for simulated in line)
+    wide = any(s.machine.rows.rows or s.machine.swept is not None for s in line)
     at_once = not (symbols.batch or symbols.embedded)  # sines of several angles in a register
     rows = [
         _ProcessText(symbols, p, process, simulated, chunk, at_once=at_once)
         for p, (process, simulated) in enumerate(zip(processes, line, strict=True))
     ]
     angles = max(len(row.machine.angles) for row in rows)
+    angles = -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE if at_once else angles
     texts = [row.values() for row in rows]
     functions = any(row.calls_functions() for row in rows)
+    swept = [row.machine.swept for row in rows if row.machine.swept is not None]
     own = plan.reproducible  # sines and tangents, not those of the C library
     return {
         "runtime": [
@@ -74,7 +78,8 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         "unrolled": texts[: len(plan.processes)],
         "recovery": texts[len(plan.processes) :],
         "places": max((row.arrangement.places for row in rows), default=0),
-        "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE if at_once else angles,
+        "swept": bool(swept),
+        "angle_count": angles + max((one.lanes for one in swept), default=0),
         "wide": wide,
         "as_it_stands": not symbols.batch,
         "wide_functions": ["unrolled_wide_functions.hpp"] * (functions and wide),
@@ -134,6 +139,7 @@ class _ProcessText:
             "read": read_joints(self.symbols, self.process),
             "owned": owned,
             "angles": self._places_of_angles() if self.at_once else [],
+            "swept": swept_values(self.machine.swept, self.text),
         }
 
     def calls_functions(self) -> bool:
@@ -181,6 +187,8 @@ class _ProcessText:
             lines[x.index].append(f"w.energies[{k}] = {self.results.value(x.index)};")
         for index, results in self.results.lines().items():
             lines[index] += results
+        for index, left in kept_lines(self.machine, self.text).items():
+            lines[index] += left
         return lines
 
     def _blamed(self, checked: Expression, joint: int) -> str:
@@ -204,9 +212,21 @@ class _ProcessText:
             if stage is not None and stage.message is not None:
                 lines += [self._message(stage.what, stage.message), f"stamp({place + 1});"]
         lines += ["judge_corrections(w);"] * bool(self.machine.energies)
+        if self.machine.swept is not None:
+            lines += self._after_sweep(self.machine.swept)
         return (
             [*lines, *self.results.give()] if given_entries(self.symbols, self.process) else lines
         )
+
+    def _after_sweep(self, swept: Swept) -> list[str]:
+        """The sweep of residuals by a loop, and what waits for it."""
+        nodes = self.graph.nodes
+        at_once = [own for k, own in self.followers.items() if is_swept(nodes[k])]
+        return [
+            sweep_line(swept, self.p),
+            *(line for own in at_once for line in own),
+            *self._stretch(self.arrangement.after),
+        ]
 
     def _prologue(self) -> list[str]:
         """Reading of the state; sines and cosines of all angles are computed at once."""
@@ -233,7 +253,7 @@ class _ProcessText:
         # What is known beforehand, or is an input as it stands, is passed on right away.
         for index, followers in self.followers.items():
             node = self.graph.nodes[index]
-            if node.op == "constant" or is_given(node):
+            if (node.op == "constant" or is_given(node)) and not is_swept(node):
                 lines += followers
         return lines
 

@@ -77,16 +77,18 @@ def in_functions(
     return [by_waits(graph, function, pace) for function in functions]
 
 
-def limit_of_functions(values: int, *, single: bool) -> int:
+def limit_of_functions(values: int, *, single: bool, short: bool = False) -> int:
     """Return how many values one function computes, by default.
 
     Args:
         values: how many the process has.
         single: whether a single state is solved.
+        short: whether the line is long enough for short functions, though it is shorter than others
+            that have these.
     """
     if not single:
         return LIMIT_OF_BATCHES
-    return LIMIT if values <= _LONG else LIMIT_OF_LONG
+    return LIMIT if values <= _LONG and not short else LIMIT_OF_LONG
 
 
 def _cut(graph: Graph, order: Sequence[int], longest: int) -> list[list[int]]:

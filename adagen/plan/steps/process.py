@@ -173,6 +173,7 @@ class Certify(OutwardStep):
         joints: joints whose part the process computes, ascending; none stands for all.
         tells: the part that it sends, if another process finishes the certificate.
         hears: the parts that it receives from other processes.
+        looped: rows of joints whose residuals a loop sweeps in a straight line, from the outermost.
     """
 
     does: ClassVar[str] = "certify"
@@ -181,3 +182,4 @@ class Certify(OutwardStep):
     joints: tuple[int, ...] = field(default=(), metadata=_OPTIONAL)
     tells: Share | None = field(default=None, metadata=_OPTIONAL)
     hears: tuple[Share, ...] = field(default=(), metadata=_OPTIONAL)
+    looped: int = field(default=0, metadata=_OPTIONAL)

@@ -1,0 +1,206 @@
+"""Residuals of straight lines that a loop over rows of joints sweeps: the bounds are the same."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from adagen.build import Toolchain
+from adagen.build.toolchain import STANDARD
+from adagen.cost import lane_choice, programmed
+from adagen.emit import emit, stem_of
+from adagen.executor import Swept, simulate
+from adagen.model import PRISMATIC, REVOLUTE, Model, Passive
+from adagen.plan import Plan, plan_from_json, plan_to_json
+from adagen.plan.certificate import looped
+from adagen.plan.steps import Certify
+from adagen.states import random_states
+from adagen.studies.random_states import hard_states
+from adagen.studies.stability.loaded import loaded
+from adagen.urdf import read_robot
+from benchmarks.stability.adversary import FAMILIES, robots
+from benchmarks.stability.bounds import Certified, bounded, certified_plan
+from tests.emitted import NARROW, OPTIMISED, Builder
+from tests.golden.make_models import MODELS
+from tests.models import binary, random_tree, serial_chain, star
+from tests.slow import slow, spread
+
+CALL = "sweep_rows<"
+ALL = 1000  # rows: more than there are
+LINE, LOOP, PART = (Certified("unrolled", looped=rows) for rows in (0, ALL, 3))
+IN_FLOAT = [replace(way, scalar="float") for way in (LINE, LOOP)]
+
+
+@pytest.fixture(scope="module")
+def quick(builder: Builder) -> Toolchain:
+    return builder.quick
+
+
+def _humanoid(*, floating: bool = True) -> Model:
+    return read_robot(MODELS / "humanoid.urdf", floating=floating).model
+
+
+def _tree(seed: int, joints: int, *, floating: bool = False) -> Model:
+    """A tree of hinges on random axes."""
+    rng = np.random.default_rng(seed)
+    return random_tree(rng, joints, kinds=(REVOLUTE,), floating=floating)
+
+
+def _damped(model: Model) -> Model:
+    """A robot with dampers and springs at its joints."""
+    joints = tuple(
+        replace(joint, passive=Passive(damping=0.1, stiffness=0.4 * (j % 2)))
+        if joint.kind == REVOLUTE
+        else joint
+        for j, joint in enumerate(model.joints)
+    )
+    return replace(model, joints=joints)
+
+
+def _line(plan: Plan) -> str:
+    """The text of a plan's straight line."""
+    return emit(plan, shape="unrolled")[f"{stem_of(plan)}.cpp"]
+
+
+def _in_loop(model: Model) -> Plan:
+    """The certified plan of a robot with a loop."""
+    plan = looped(certified_plan(model), ALL)
+    assert plan is not None
+    return plan
+
+
+@pytest.mark.parametrize(
+    "model",
+    spread(
+        [
+            _humanoid(),  # arms and legs in lanes, on a trunk and a base that floats
+            _damped(_tree(3, 9)),  # single joints, some of them on one link
+            star(5, 3, floating=True),  # lanes of several widths on one link
+            _humanoid(floating=False),
+            serial_chain(6),
+            binary(4),
+            _damped(_tree(7, 14, floating=True)),
+        ],
+        3,
+    ),
+    ids=lambda model: model.name,
+)
+def test_bounds_are_those_without_a_loop(model: Model, quick: Toolchain) -> None:
+    """They hold, and differ by what the residuals' own last digits make of them."""
+    ways = [LINE, LOOP, PART, *IN_FLOAT]
+    found = bounded(model, random_states(model, 12, seed=4), ways, quick)
+    assert set(found) == set(ways)
+    for line, loop in ((LINE, LOOP), (LINE, PART), IN_FLOAT):
+        assert found[loop].refused == 0
+        assert (found[loop].ratios <= 1).all()
+        np.testing.assert_allclose(found[loop].bounds, found[line].bounds, rtol=0.3)
+        np.testing.assert_allclose(found[loop].errors, found[line].errors, rtol=1e-9)
+
+
+@pytest.mark.parametrize("k", spread(range(len(FAMILIES)), 2), ids=lambda k: FAMILIES[k].__name__)
+def test_hard_robots_keep_their_bounds(k: int, quick: Toolchain) -> None:
+    model = robots(k + 1, seed=31)[k]
+    found = bounded(model, hard_states(model, 30, seed=3), [LOOP, *IN_FLOAT], quick)
+    hinged = all(joint.kind == REVOLUTE for joint in model.joints[model.floating :])
+    assert hinged or LOOP not in found
+    for way, one in found.items():
+        assert (one.ratios <= 3).all(), f"{way}: {one.ratios.max()}"
+
+
+def test_a_state_that_is_not_finite_leaves_nothing_behind(quick: Toolchain) -> None:
+    """Lanes without a joint would keep what is not a number."""
+    model = _humanoid()
+    plan = _in_loop(model)
+    text, stem = _line(plan), stem_of(plan)
+    (state,) = random_states(model, 1, seed=2).each
+    bounds, qdd = [], np.zeros(model.nv)
+    with loaded(text, stem, plan, quick) as call:
+        for k in (None, model.nv - 1, None):
+            q, v, tau = (x.copy() for x in state)
+            if k is not None:
+                q[k + 1] = v[k] = np.nan
+            failed = call("solve", ctypes.c_int, q, v, tau, qdd)
+            assert bool(failed) == (k is not None)
+            bounds.append(call("error_bound", ctypes.c_double))
+    assert bounds[2] == bounds[0] < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("compiler", "flags"),
+    [
+        slow("g++", OPTIMISED),
+        slow("g++", NARROW),
+        slow("clang++", OPTIMISED),
+        slow("clang++", NARROW),
+    ],
+)
+def test_bounds_of_other_compilers(compiler: str, flags: tuple[str, ...], builder: Builder) -> None:
+    """Without warnings, too."""
+    if shutil.which(compiler) is None:
+        pytest.skip(f"{compiler} is not installed")
+    model = _humanoid()
+    other = builder.with_compiler(compiler)
+    plan = _in_loop(model)
+    other.compile(_line(plan), stem_of(plan), flags)
+    toolchain = replace(other.toolchain, flags=(*STANDARD, *flags))
+    found = bounded(model, random_states(model, 4, seed=2), [LINE, LOOP], toolchain)
+    assert (found[LOOP].ratios <= 1).all()
+    np.testing.assert_allclose(found[LOOP].bounds, found[LINE].bounds, rtol=0.3)
+
+
+def _swept(plan: Plan) -> Swept:
+    """What the straight line of a plan leaves for its loop."""
+    (line,) = simulate(plan)
+    assert line.machine.swept is not None
+    return line.machine.swept
+
+
+def test_a_loop_takes_the_outermost_rows() -> None:
+    """In an order in which nothing is gathered once it is handed on."""
+    plan = certified_plan(serial_chain(6))
+    for rows in (1, 4, 6, ALL):
+        plan = looped(plan, rows) or plan
+        swept = _swept(plan)
+        assert len(swept.rows) == min(rows, 6)
+        places = [row.place for row in swept.rows]
+        assert places == sorted(places)
+        for row in swept.rows:
+            assert all(near > row.place for near in row.near)
+        assert {row.hands_on for row in swept.rows[:-1]} <= {1}
+        assert swept.rows[-1].hands_on == (0 if rows >= 6 else 1)
+
+
+def test_which_robots_loops_sweep() -> None:
+    tree = _tree(1, 5)
+    assert looped(certified_plan(tree), ALL) is not None
+    sliding = replace(tree.joints[2], kind=PRISMATIC)
+    driven = replace(tree.joints[2], passive=Passive(rotor_inertia=0.1))
+    for other in (sliding, driven):
+        joints = (*tree.joints[:2], other, *tree.joints[3:])
+        assert looped(certified_plan(replace(tree, joints=joints)), ALL) is None
+    arm = certified_plan(serial_chain(30), parts=True)
+    assert looped(arm, ALL) is None
+    assert looped(certified_plan(star(4, 3), processes=2), ALL) is None
+
+
+def test_long_lines_alone_have_loops(monkeypatch: pytest.MonkeyPatch) -> None:
+    plan = certified_plan(_humanoid())
+    assert CALL not in _line(plan)
+    monkeypatch.setattr(lane_choice, "_HELD", 20_000)
+    monkeypatch.setattr(lane_choice, "_AIMED_AT", 20_000)
+    programmed.cache_clear()
+    (certify,) = programmed(plan, "unrolled").plan.steps_of(Certify)
+    assert 0 < certify.looped < ALL
+    assert CALL in _line(plan)
+    programmed.cache_clear()
+
+
+def test_batches_have_none_and_plans_keep_it() -> None:
+    plan = _in_loop(_humanoid())
+    assert plan_from_json(plan_to_json(plan)) == plan
+    text = emit(plan, shape="unrolled", batch=1)[f"{stem_of(plan, batch=1)}.cpp"]
+    assert CALL not in text and CALL in _line(plan)
