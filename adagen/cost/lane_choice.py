@@ -26,7 +26,8 @@ _VALUE, _MOVE = 6.2, 3.2
 """Bytes of code for each value of a certified straight line, and more for each move between lanes:
 within 5 % of those of robots of 49 to 74 freedoms (docs/records/certificates.md)."""
 _HELD = 70_000
-"""Such bytes that a first instruction cache of 64 kB holds: of 68 thousand a robot has fewer."""
+"""Such bytes up to which a first instruction cache of 64 kB holds a line: talos with its hands has
+68 thousand by this count, and 65 in fact, the next larger ones 73 thousand by either."""
 _AIMED_AT, _FUNCTION = 63_000, 2_000
 """Bytes that longer ones come to where a loop sweeps residuals, and those of the loop."""
 
