@@ -255,6 +255,28 @@ def test_an_output_is_told_where_it_is(tmp_path: Path) -> None:
     assert re.search(r'//   41 to 46  link acceleration of "torso"', text)
 
 
+def test_limbs_that_outputs_hang_on_stay(tmp_path: Path) -> None:
+    """Of a humanoid that is held: one leg for its acceleration, the other one for its foot."""
+    outputs = """
+[outputs]
+link_accelerations = ["left_foot"]
+inverse_inertia = ["left_foot"]
+"""
+    whole = humanoid(tmp_path, outputs, floating=False)
+    small = humanoid(tmp_path, 'accelerations = ["right_knee"]\n' + outputs, floating=False)
+    at = {joint.name: j for j, joint in enumerate(whole.joints)}
+    kept = [at[joint.name] for joint in small.joints]
+    assert {whole.joints[j].name.partition("_")[0] for j in kept} == {"left", "right"}
+    assert len(kept) == 12 and all(joint.kind.nq == joint.kind.nv for joint in whole.joints)
+    own = [k for j in kept for k in _entries(whole, j)]
+    plan = planned(small)
+    for q, v, tau in random_states(whole, 3, seed=6).each:
+        want = by_pinocchio(whole, (q, v, tau))[whole.nv :]
+        got = interpret(plan, q[own], v[own], tau[own])[small.nv :]
+        assert len(got) == len(want) == 6 + 36
+        assert abs(got - want).max() < 1e-10 * abs(want).max()
+
+
 WANTED = 'accelerations = ["__base__", "left_knee"]\n'
 
 
