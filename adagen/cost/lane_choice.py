@@ -69,16 +69,16 @@ def _within_cache(plan: Plan, limbs: Grouping) -> Plan:
     length = _length(plan, limbs)
     if length <= _HELD:
         return plan
-    (line,) = simulate(every, limbs)
-    assert line.machine.swept is not None
-    saved = (length - _length(every, limbs)) / len(line.machine.swept.rows)
+    swept = [line.machine.swept for line in simulate(every, limbs)]  # others are idle
+    rows = sum(len(own.rows) for own in swept if own is not None)
+    saved = (length - _length(every, limbs)) / rows
     return looped(plan, math.ceil((length + _FUNCTION - _AIMED_AT) / saved)) or plan
 
 
 def _length(plan: Plan, limbs: Grouping) -> float:
-    """Bytes of code of the straight line of one process, about."""
-    (line,) = simulate(plan, limbs)
-    return _VALUE * len(line.alive) + _MOVE * line.operations.moves
+    """Bytes of code of the longest straight line of a plan, about."""
+    lines = simulate(plan, limbs)
+    return max(_VALUE * len(line.alive) + _MOVE * line.operations.moves for line in lines)
 
 
 @lru_cache(maxsize=4)
