@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -52,12 +53,49 @@ class NamedLoop:
 
 @dataclass(frozen=True)
 class NamedCoupling:
-    """Coordinates of joints that are tied: the sum of factor * q[joint] is ``offset``."""
+    """Coordinates of joints that are tied: the sum of factor * q[joint] is ``offset``.
+
+    Attributes:
+        name: its name.
+        terms: joints by name, each with its factor; not all of these are zero.
+        offset: m or rad.
+        tolerance: how far the sum may be off in a state; None: the usual, for factors near one.
+    """
 
     name: str
     terms: tuple[tuple[str, float], ...]
     offset: float = 0.0
-    tolerance: float = Coupling.tolerance
+    tolerance: float | None = None
+
+
+_ORDINARY = 10
+"""Binary orders by which the largest factor of a coupling may differ from one."""
+
+
+def tied(
+    name: str,
+    terms: Sequence[tuple[int, float]],
+    offset: float,
+    tolerance: float | None = None,
+) -> Coupling:
+    """Return a coupling whose largest factor is not far from one, by a power of two.
+
+    Otherwise it would be rounding beside other constraints, or these beside it.
+
+    Args:
+        name: what messages call it.
+        terms: joints by index, each with its factor; not all of these are zero.
+        offset: of their sum.
+        tolerance: of their sum; None: the usual one, of factors near one.
+    """
+    order = round(math.log2(max(abs(factor) for _, factor in terms)))
+    by = 2.0 ** -max(min(order, 900), -900) if abs(order) > _ORDINARY else 1.0
+    return Coupling(
+        name,
+        tuple((joint, factor * by) for joint, factor in terms),
+        offset * by,
+        Coupling.tolerance if tolerance is None else tolerance * by,
+    )
 
 
 def closed(
@@ -96,15 +134,15 @@ def closed(
         turn2 = tuple(map(tuple, turn))
         return Loop(named.name, kind, link1, frame1, link2, frame2, named.tolerance, turn2)
 
-    tied = [
-        Coupling(c.name, tuple((joint(name), x) for name, x in c.terms), c.offset, c.tolerance)
+    more = [
+        tied(c.name, [(joint(name), x) for name, x in c.terms], c.offset, c.tolerance)
         for c in couplings
     ]
     return _coupled_mimics(
         replace(
             model,
             loops=(*model.loops, *map(made, loops)),
-            couplings=(*model.couplings, *tied),
+            couplings=(*model.couplings, *more),
         )
     )
 
@@ -120,7 +158,7 @@ def _coupled_mimics(model: Model) -> Model:
     for j, joint in enumerate(model.joints):
         if joint.mimic is not None and on_loops & {j, joint.mimic.source}:
             terms = ((j, 1.0), (joint.mimic.source, -joint.mimic.multiplier))
-            coupling = Coupling(joint.name, terms, joint.mimic.offset)
+            coupling = tied(joint.name, terms, joint.mimic.offset)
             free = replace(joint, mimic=None)
             joints = (*model.joints[:j], free, *model.joints[j + 1 :])
             couplings = (*model.couplings, coupling)

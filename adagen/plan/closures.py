@@ -32,6 +32,7 @@ from adagen.plan.loop_groups import (
 )
 from adagen.reference.closed import closed_states, constraints_of_all
 from adagen.reference.double import joint_space_inertia
+from adagen.reference.loop_rows import usual_sizes
 
 Array = NDArray[np.float64]
 
@@ -163,7 +164,7 @@ def sampled_rows(model: Model, tied: LoopGroup, samples: Array) -> Sampled:
     columns = freedoms_of(model, tied.path)
     of_all = np.abs(samples[:, rows]).max(axis=2, initial=0.0)
     sizes = of_all.max(axis=0, initial=0.0)
-    there = sizes > NO_PIVOT * float(sizes.max(initial=0.0))
+    there = sizes > NO_PIVOT * usual_sizes(model)[rows]
     rows = [row for row, some in zip(rows, there.tolist(), strict=True) if some]
     usual = np.median(of_all[:, there], axis=0)
     usual = np.where(usual > NO_PIVOT * sizes[there], usual, sizes[there])

@@ -16,7 +16,7 @@ from adagen.exact import exact, rounded
 from adagen.model import Model
 from adagen.reference.coupling import checked, coupled, coupling, free_rows, prescribed
 from adagen.reference.inertia import inertia_matrix
-from adagen.reference.loop_rows import loop_rows
+from adagen.reference.loop_rows import loop_rows, more_than_rounding
 from adagen.reference.newton_euler import joint_torques
 from adagen.reference.numbers import BALLS, DOUBLE, Numeric
 
@@ -126,7 +126,9 @@ def independent_rows(model: Model, q: Any, rank: float = 1e-9) -> list[int]:
     if not model.closed:
         return []
     (at,) = coupled(DOUBLE, model, checked(model, "q", q, model.nq), np.zeros(model.nv))[:1]
-    rows = loop_rows(DOUBLE, model, at, np.zeros(model.nv))[0].dot(coupling(DOUBLE, model))
+    rows = loop_rows(DOUBLE, model, at, np.zeros(model.nv))[0]
+    rows = np.where(more_than_rounding(model, rows)[:, None], rows, 0.0)
+    rows = rows.dot(coupling(DOUBLE, model))
     least = rank * float(np.linalg.norm(rows, axis=1).max(initial=0.0))
     kept: list[int] = []
     while len(kept) < len(rows):

@@ -19,7 +19,7 @@ from adagen.model import FLOATING, PRISMATIC, REVOLUTE, SPHERICAL, Joint, Loop, 
 from adagen.reference.coupling import checked, coupled, prescribed
 from adagen.reference.coupling import coupling as following
 from adagen.reference.double import inverse_dynamics, joint_space_inertia
-from adagen.reference.loop_rows import loop_rows
+from adagen.reference.loop_rows import loop_rows, more_than_rounding, size_of
 from adagen.reference.numbers import DOUBLE
 
 Array = NDArray[np.float64]
@@ -166,7 +166,9 @@ def constraints_of_all(model: Model, q: Array) -> Constraints:
         gaps.append(gap)
         rows.append(row)
         names.append(coupling.name)
-    return Constraints(np.array(gaps).T, np.array(rows).transpose(1, 0, 2), tuple(names))
+    values = np.array(rows).transpose(1, 0, 2)
+    values = np.where(more_than_rounding(model, values)[:, :, None], values, 0.0)
+    return Constraints(np.array(gaps).T, values, tuple(names))
 
 
 def pose_of(model: Model, q: Any, link: int) -> tuple[Array, Array]:
@@ -290,14 +292,6 @@ def _least(rows: Array, gaps: Array, damping: Array) -> Array:
     return result
 
 
-def size_of(model: Model) -> float:
-    """Return the largest distance between joints or ends of loops on one link, m; 1 if none."""
-    lengths = [float(np.linalg.norm(joint.translation)) for joint in model.joints]
-    ends = (frame for loop in model.loops for _, frame in loop.ends)
-    lengths += [float(np.linalg.norm(frame.translation)) for frame in ends]
-    return max(lengths, default=0.0) or 1.0
-
-
 def closed_states(
     model: Model, count: int, seed: int = 0, starts: int = STARTS
 ) -> tuple[Array, Array]:
@@ -376,6 +370,8 @@ def closed_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, rank: float 
     tau = checked(model, "tau", tau, model.ntau)
     q, v = coupled(DOUBLE, model, q, v)
     (rows, fast), follow = loop_rows(DOUBLE, model, q, v), following(DOUBLE, model)
+    told = more_than_rounding(model, rows)
+    rows, fast = rows[told], fast[told]
     given = prescribed(DOUBLE, model, tau)
     left, sizes, right = np.linalg.svd(rows @ follow)
     kept = int((sizes > rank * sizes[:1].sum()).sum())

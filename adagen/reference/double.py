@@ -19,7 +19,7 @@ from adagen.reference.coupling import (
     row_names,
 )
 from adagen.reference.inertia import cholesky_solve, inertia_matrix
-from adagen.reference.loop_rows import loop_rows
+from adagen.reference.loop_rows import loop_rows, more_than_rounding
 from adagen.reference.motion import momenta
 from adagen.reference.newton_euler import energies, joint_torques
 from adagen.reference.numbers import DOUBLE
@@ -178,6 +178,8 @@ def residual(model: Model, q: Any, v: Any, tau: Any, qdd: Any) -> float:
     if model.closed:
         at, speed, rate = coupled(DOUBLE, model, *map(np.asarray, (q, v, qdd)))
         jacobian, drift = loop_rows(DOUBLE, model, at, speed)
+        told = more_than_rounding(model, jacobian)
+        jacobian, drift = jacobian[told], drift[told]
         size = np.array(np.linalg.norm(jacobian) * np.linalg.norm(rate))
         opening = _beside(jacobian @ rate + drift, size, drift)
         pushed = (jacobian @ coupling(DOUBLE, model)).T

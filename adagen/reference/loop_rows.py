@@ -10,10 +10,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from adagen.model import Frame, Loop, Model
 from adagen.reference.kinematics import orthonormal, placements
 from adagen.reference.numbers import Numbers, Numeric, cross, cross_matrix
+
+Array = NDArray[np.float64]
+ROUNDING = 1e-11
+"""A row so much smaller than what it is made of is rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,3 +141,38 @@ def _of_loop(
 def _placed(numbers: Numbers, link: _Frame, frame: Frame) -> _Frame:
     axes = link.axes.dot(orthonormal(numbers, numbers.array(frame.rotation)))
     return link.at(axes, link.axes.dot(numbers.array(frame.translation)))
+
+
+def size_of(model: Model) -> float:
+    """Return the largest distance between joints or ends of loops on one link, m; 1 if none."""
+    lengths = [float(np.linalg.norm(joint.translation)) for joint in model.joints]
+    ends = (frame for loop in model.loops for _, frame in loop.ends)
+    lengths += [float(np.linalg.norm(frame.translation)) for frame in ends]
+    return max(lengths, default=0.0) or 1.0
+
+
+def usual_sizes(model: Model) -> Array:
+    """Return the size of each row of J if it is more than rounding, shape (rows,).
+
+    Of a loop that holds nothing all rows are rounding, so that they say nothing of each other.
+    """
+    length = size_of(model)
+    sizes = [
+        [*(length for _ in loop.kind.linear), *(1.0 for _ in loop.kind.angular)]
+        for loop in model.loops
+    ]
+    sizes += [[max(abs(factor) for _, factor in each.terms)] for each in model.couplings]
+    return np.array([size for own in sizes for size in own])
+
+
+def more_than_rounding(model: Model, rows: Array) -> NDArray[np.bool_]:
+    """Return which rows of J in double are more than rounding, shape (..., rows).
+
+    Args:
+        model: the robot.
+        rows: of all its loops and couplings, shape (..., rows, nv).
+    """
+    found: NDArray[np.bool_] = np.abs(rows).max(axis=-1, initial=0.0) > ROUNDING * usual_sizes(
+        model
+    )
+    return found

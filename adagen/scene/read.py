@@ -277,7 +277,10 @@ class _Reader:
             given = self.table(table["terms"], place)
             if not given:
                 raise self.fail("this coupling has no terms", place)
-            return tuple((name, self.number(x, (*place, name))) for name, x in given.items())
+            terms = tuple((name, self.number(x, (*place, name))) for name, x in given.items())
+            if not any(factor for _, factor in terms):
+                raise self.fail("all terms of this coupling are zero", place)
+            return terms
         self.need(table, ("joint", "other", "ratio"), "coupling", path)
         joint, other = (self.text(table[key], (*path, key)) for key in ("joint", "other"))
         if joint == other:

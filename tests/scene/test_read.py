@@ -183,6 +183,11 @@ BAD = {
         "this coupling has terms: leave joint out",
     ),
     "coupling of nothing": ("[[couplings]]\nterms = {}\n", 2, "this coupling has no terms"),
+    "coupling by zeros": (
+        "[[couplings]]\nterms = { a = 0, b = 0.0 }\n",
+        2,
+        "all terms of this coupling are zero",
+    ),
     "two numbers": ("gravity = [0, 0]\n", 1, "gravity needs 3 numbers in a list"),
     "gravity text": ('gravity = ["a", 0, 0]\n', 1, "'a' is not a number"),
     "gravity true": ("gravity = [true, 0, 0]\n", 1, "True is not a number"),
