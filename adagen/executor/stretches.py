@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from math import isinf, sqrt
 
 from adagen.executor.run import Simulated
-from adagen.executor.swept import OPERATIONS, STATEMENTS
+from adagen.executor.swept import STATEMENTS
 from adagen.graph import Operations
 from adagen.plan.steps import Receive, Send, Step
 from adagen.schedule.costs import StepCosts
@@ -119,7 +119,7 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
     swept = simulated.machine.swept
     if swept is not None:
         line += STATEMENTS
-        work["unrolled.operation"] += OPERATIONS * len(swept.rows)
+        work["unrolled.operation"] += swept.operations
     computed = sum(sum(count.values()) for count in counts) or 1
     parts = []
     for k, (count, cycles) in enumerate(zip(counts, done, strict=True)):

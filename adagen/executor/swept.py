@@ -29,8 +29,8 @@ torque."""
 CONSTANTS = 25
 """Constants of a row: moments and products of inertia about the origin (6), mass times centre (3),
 mass, placement (9), origin (3), squares of lever arms (3)."""
-OPERATIONS = 100
-"""Operations for each row."""
+_OPERATIONS, _OF_FORCE = 105, 20
+"""Operations for each row, and more where forces of the field are handed on."""
 STATEMENTS = 300
 """Statements of the function, whatever the number of rows."""
 
@@ -83,6 +83,14 @@ class Swept:
     sums: int
     places: int
     floats: bool
+
+    @property
+    def operations(self) -> int:
+        """How many operations the sweep takes, about."""
+        each = _OPERATIONS + _OF_FORCE * self.floats
+        apart = sum(row.hands_on for row in self.rows if not row.aligned)
+        handed = GATHERED if self.floats else FORCE  # one by one where lanes part
+        return each * len(self.rows) + handed * apart
 
     def first_places(self) -> dict[int, int]:
         """Return the first place of each value, by its index, that fills its lanes."""
