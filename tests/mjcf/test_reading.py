@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from adagen.cli import main
@@ -136,6 +137,33 @@ def test_a_coupling_is_a_mimic_where_it_is_asked_for(reading: Read) -> None:
     assert reading(off).model.joints[1].mimic is None
 
 
+def test_a_joint_that_follows_a_follower_follows_its_source(reading: Read) -> None:
+    foot = '<body pos="0 0 -1"><joint name="ankle" axis="0 1 0"/><geom size="0.1"/></body>'
+    coupled = beside(
+        '<equality><joint joint1="ankle" joint2="knee" polycoef="0.5 3 0 0 0"/>'
+        '<joint joint1="knee" joint2="hip" polycoef="0.25 -2 0 0 0"/></equality>'
+    ).replace("</body></body>", f"{foot}</body></body>")
+    _, knee, ankle = (joint.mimic for joint in reading(coupled, mimic=True).model.joints)
+    assert knee is not None and ankle is not None
+    assert (knee.source, knee.multiplier, knee.offset) == (0, -2.0, 0.25)
+    assert (ankle.source, ankle.multiplier, ankle.offset) == (0, -6.0, 0.5 + 3 * 0.25)
+
+
+def test_inertia_is_that_of_the_file_unless_it_is_asked_to_be_changed(reading: Read) -> None:
+    """MuJoCo keeps principal moments, and the axes that it finds up to rounding."""
+    given = [0.7, 0.6, 0.5, 0.01, -0.02, 0.03]
+    text = GOOD.replace(
+        '<geom size="0.1" pos="0 0 -.2"/>',
+        f'<inertial pos="0 0 -.2" mass="1" fullinertia="{" ".join(map(str, given))}"/>',
+    )
+    xx, yy, zz, xy, xz, yz = given
+    tensor = reading(text).model.links[2].inertia.tensor
+    assert tensor.tolist() == [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+    bounded = text.replace("<option>", '<compiler boundinertia="1"/><option>')
+    moments = np.linalg.eigvalsh(reading(bounded).model.links[2].inertia.tensor)
+    assert moments == pytest.approx(np.ones(3), rel=1e-12)
+
+
 def test_forces_that_are_not_modelled_are_told_once(reading: Read) -> None:
     text = (
         GOOD.replace("<option>", '<option density="1.2">')
@@ -261,6 +289,9 @@ def test_how_the_base_is_held(reading: Read) -> None:
     assert asked.floating and asked.joints[0].name == "__base__"
     with pytest.raises(InputError, match='"limb" has joint "hip" to the world'):
         reading(GOOD, floating=True)
+    table = '<body name="table"><geom size="1"/><body><geom size="0.2"/></body></body>'
+    beside_it = reading(fixed.replace("<worldbody>", f"<worldbody>{table}"), floating=True).model
+    assert [j.name for j in beside_it.joints] == ["__base__", "knee"]
     another = LIMB.replace('name="', 'name="other_')
     two = fixed.replace("</worldbody>", f"{another}</worldbody>")
     with pytest.raises(InputError, match="sets one body free"):
