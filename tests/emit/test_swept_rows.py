@@ -13,7 +13,7 @@ from adagen.build import Toolchain
 from adagen.build.toolchain import STANDARD
 from adagen.cost import lane_choice, programmed
 from adagen.emit import emit, stem_of
-from adagen.executor import Swept, simulate
+from adagen.executor import Swept, chosen_grouping, simulate
 from adagen.model import PRISMATIC, REVOLUTE, Model, Passive
 from adagen.plan import Plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import looped
@@ -172,6 +172,18 @@ def test_a_loop_takes_the_outermost_rows() -> None:
             assert all(near > row.place for near in row.near)
         assert {row.hands_on for row in swept.rows[:-1]} <= {1}
         assert swept.rows[-1].hands_on == (0 if rows >= 6 else 1)
+
+
+def test_lanes_that_part_have_their_price() -> None:
+    plan = _in_loop(star(4, 3, floating=True))
+    (line,) = simulate(plan, chosen_grouping(plan))
+    swept = line.machine.swept
+    assert swept is not None and len(swept.rows) == 3
+    assert [row.aligned for row in swept.rows] == [True, True, False]
+    handed = [row.hands_on for row in swept.rows]
+    assert handed == [4, 4, 4]
+    each = replace(swept, rows=swept.rows[:2]).operations / 2
+    assert swept.operations == 3 * each + 4 * 13
 
 
 def test_which_robots_loops_sweep() -> None:
