@@ -208,7 +208,8 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
         )
     joints, runs = joints_of(model), runs_of(model)
     if model.closed:
-        _check_closed(schedule)
+        if schedule.gathered is None:  # its tree stands for nothing where there is
+            _check_closed(schedule)
         return ClosedPlanner(
             joints,
             schedule,

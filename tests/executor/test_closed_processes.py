@@ -20,9 +20,9 @@ from adagen.plan.steps import Eliminate, HoldMobility
 from adagen.program import check
 from adagen.program.lower import lower
 from adagen.reference.closed import closed_forward_dynamics
-from adagen.schedule import load_profile
+from adagen.schedule import Topology, load_profile
 from adagen.schedule.tree import Gathered
-from adagen.search import best_schedule
+from adagen.search import best_schedule, schedule_from_json
 from adagen.search.closed_loops import _layouts
 from adagen.states import States
 from tests.emitted import QUICK, Builder
@@ -141,3 +141,14 @@ def test_processes_solve_poor_poses_each_for_itself(builder: Builder, tmp_path: 
     assert np.abs(found - truth).max() < 1e-10 * np.abs(truth).max()
     told = json.loads(solver.run("--check", "--json").stdout)["check"]
     assert told["ok"]
+
+
+def test_a_layout_from_a_file() -> None:
+    """The tree of a schedule whose processes gather is none that they are joined by."""
+    model = figure()
+    owners = [None, *[0] * 3, *[1] * 3, *[2] * 8]
+    names = [joint.name for joint in model.joints]
+    gathered = {"roots": names[:1], "owners": dict(zip(names, owners, strict=True))}
+    text = json.dumps({"processes": 3, "meeting": "gather", "gathered": gathered})
+    plan = make_plan(model, schedule_from_json(text, Topology.of(model), load_profile("default")))
+    assert plan == divided(model, 3, owners)
