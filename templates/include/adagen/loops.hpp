@@ -223,7 +223,8 @@ inline Real largest(const std::vector<Real>& values) {
   return size;
 }
 
-constexpr Real kLittle = 1e-15L;  // damping beside rows that follow from others
+// Damping beside rows that follow from others, up to the rounding of poses, squared.
+constexpr Real kLittle = sizeof(Number) == sizeof(double) ? 1e-15L : 1e-9L;
 
 // Newton's method with Levenberg's damping, as near as can be. Returns how far loops stay open.
 inline Real close(std::vector<double>& q) {
