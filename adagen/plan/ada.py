@@ -155,16 +155,16 @@ class AdaPlanner:
             parts = []
             run = self.fusions.run_at(i)
             for side, link in zip(self.fusions.sides(node), self._ends(run), strict=True):
-                if side is None:
-                    part = bare(link, p)
-                    if link > 0:
-                        self.steps[p].append(LinkBias(link))
-                else:
-                    part = chains.pop(side.joint)
-                parts.append(part)
+                parts.append(self._bare(link, p) if side is None else chains.pop(side.joint))
             self._meet(p, (parts[0], parts[1]))
             chains[i] = self._join(run, p, parts[0], parts[1])
         return chains[self.schedule.root.joint]
+
+    def _bare(self, link: int, process: int) -> Chain:
+        """Return a bare link as a chain of a process, which finds its bias."""
+        if link > 0:
+            self.steps[process].append(LinkBias(link))
+        return bare(link, process)
 
     def _inside(self, node: Node) -> bool:  # noqa: ARG002 (form ada has no segments)
         """Whether a node belongs to the segment of another node."""

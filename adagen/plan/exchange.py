@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from adagen.errors import UsageError
-from adagen.plan.ada import Chain, assembled
+from adagen.plan.ada import Chain, assembled, bare
 from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Run
 from adagen.plan.messages import Message
@@ -151,18 +151,27 @@ class ExchangePlanner(SegmentPlanner):
             self.exchange(
                 self._told(part, source, target)
                 for part, others in ((a, b), (b, a))
-                for source, target in pairs(self._knows(part), self._knows(others))
+                for source, target in pairs(self._knows(part), self._strange(part, others))
             )
+
+    def _strange(self, part: Chain, others: Chain) -> list[int]:
+        """The processes that know another chain and not this one."""
+        known = self._knows(part)
+        return [p for p in self._knows(others) if p not in known]
 
     def _told(self, part: Chain, source: int, target: int) -> Message:
         """The message about a chain: what it shows, and how the joint lies that it hangs on."""
         hangs_on = tuple(sorted(link - 1 for link in part.biases if link - 1 in self.told))
         return replace(assembled(part, source, target), placements=hangs_on)
 
+    def _bare(self, link: int, process: int) -> Chain:
+        """Return a bare link as a chain; who joins it finds its bias (``_show_bare``)."""
+        return bare(link, process)
+
     def _show_bare(self, process: int, a: Chain, b: Chain) -> None:
-        """Steps for a bare link's bias on every process of a chain that it is joined to."""
+        """Steps for a bare link's bias on every process that joins it."""
         links = [link for part in (a, b) if part.joint is None for link in part.biases]
-        for p in self._joining_parts(a, b) - {process}:
+        for p in self._joining_parts(a, b) or {process}:
             self.steps[p] += map(LinkBias, links)
 
     def _joining_parts(self, *parts: Chain) -> set[int]:

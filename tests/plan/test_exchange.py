@@ -74,6 +74,37 @@ def test_what_stands_on_the_ground_shows_others_nothing() -> None:
     assert error(model, plan) < 1e-11
 
 
+def test_a_bare_link_is_shown_by_those_who_join_it() -> None:
+    """The first process of its joint's node has nothing but what stands beside on the ground."""
+    rng = np.random.default_rng(4)
+    limbs = {"a": None, "a1": "a", "a2": "a1", "b": None, "c": "a"}
+    parts = [
+        Part(
+            name,
+            above,
+            REVOLUTE,
+            random_inertia(rng),
+            vector(0.1, 0.2, 0.3),
+            axis=vector(0.6, 0.8, 0),
+        )
+        for name, above in limbs.items()
+    ]
+    model = assemble("limbs", parts)
+    inner = {"joint": "b", "processes": [0, 1]}, {"joint": "c", "processes": [1, 2]}
+    middle = {"joint": "a", "processes": [0, 2], "children": inner}
+    outer = {"joint": "a1", "processes": [0, 2], "children": [middle]}
+    tree = {
+        "joint": "a2",
+        "processes": [0, 2],
+        "children": [outer],
+    }
+    text = json.dumps({"root": tree, "meeting": "exchange"})
+    plan = make_plan(model, schedule_from_json(text, Topology.of(model), PROFILE))
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+    assert error(model, plan) < 1e-11
+
+
 @pytest.mark.parametrize(
     ("joints", "processes", "kind"), [(9, 4, REVOLUTE), (13, 5, REVOLUTE), (7, 3, SPHERICAL)]
 )
