@@ -86,11 +86,7 @@ def looped(plan: Plan, rows: int) -> Plan | None:
         joint.kind != "revolute" or joint.rotor_inertia or joint.lent for joint in hinges
     ):
         return None
-
-    def swept(steps: tuple[Step, ...]) -> tuple[Step, ...]:
-        return tuple(replace(s, looped=rows) if isinstance(s, Certify) else s for s in steps)
-
-    return replace(plan, processes=tuple(each.changed(swept) for each in plan.processes))
+    return plan.with_looped(rows)
 
 
 def why_not(plan: Plan) -> str | None:

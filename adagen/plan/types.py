@@ -291,8 +291,7 @@ class Plan:
         residuals.
         """
         if any(step.looped for step in self.steps_of(Certify)):
-            plain = [p.changed(_without_loop) for p in self.processes]
-            return replace(self, processes=tuple(plain))
+            return self.with_looped(0)
         if not self.closed:
             return self
         if self.reproducible:
@@ -379,7 +378,10 @@ class Plan:
         """Return the joints from the ground down to some joints, these included."""
         return paths_to_ground(self.joints, joints)
 
+    def with_looped(self, rows: int) -> Plan:
+        """Return it with a loop that sweeps residuals of so many rows, see ``Certify.looped``."""
 
-def _without_loop(steps: tuple[Step, ...]) -> tuple[Step, ...]:
-    """The steps, with residuals that no loop sweeps."""
-    return tuple(replace(s, looped=0) if isinstance(s, Certify) else s for s in steps)
+        def changed(steps: tuple[Step, ...]) -> tuple[Step, ...]:
+            return tuple(replace(s, looped=rows) if isinstance(s, Certify) else s for s in steps)
+
+        return replace(self, processes=tuple(each.changed(changed) for each in self.processes))

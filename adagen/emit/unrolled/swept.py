@@ -54,4 +54,5 @@ def swept_values(swept: Swept | None, text: Text) -> dict[str, object]:
         for row in swept.rows
         for numbers in row.constants
     ]
-    return {"lanes": swept.lanes, "rows": rows, "constants": numbers}
+    count = swept.lanes * len(numbers)
+    return {"lanes": swept.lanes, "rows": rows, "constants": numbers, "constant_count": count}
