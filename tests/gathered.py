@@ -33,7 +33,8 @@ def reproducible_plan(model: Model, gathered: Gathered | None = None, **options:
     schedule = find_schedule(topology, processes, profile=profile, cuttable=nowhere)
     if gathered is not None:
         schedule = replace(schedule, meeting="gather", gathered=gathered)
-    return make_plan(model, schedule, scalar=scalar, channel=channel, reproducible=True)
+    how = {"scalar": scalar, "channel": channel, "runtime": options.get("runtime", "")}
+    return make_plan(model, schedule, reproducible=True, **how)  # type: ignore[arg-type]
 
 
 def distributed(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -330,7 +331,7 @@ class Solver(Vectors):
             word = printable(f"{what}:{link}" if link else what)
             raise UsageError(f'{word} is compiled in: compile with runtime="{word}" to set it')
         first = plan.entry_of_parameter(what, parameter.link) or 0
-        own = np.array(parameter.rotation) @ numbers if parameter.rotation else numbers
+        own = _turned(parameter.rotation, numbers, plan.scalar) if parameter.rotation else numbers
         self._set(first, own)
         self._parameters[first : first + len(own)] = own
 
@@ -357,6 +358,18 @@ class Solver(Vectors):
 
     def __repr__(self) -> str:
         return f"<adagen.Solver {self.compiled.stem}: {self.nq} in q, {self.nv} in v>"
+
+
+def _turned(
+    rotation: Sequence[Sequence[float]], numbers: NDArray[Any], scalar: str
+) -> NDArray[np.float64]:
+    """Return numbers times a rotation, shape (3,), with the roundings of NAME_set_center."""
+    number = np.float32 if scalar == "float" else np.float64
+    axes, given = np.array(rotation, number), numbers.astype(number)
+    found = np.zeros(3, number)
+    for k in range(3):  # one operation after the other: no library's order of sums
+        found = found + axes[:, k] * given[k]
+    return found.astype(np.float64)
 
 
 def _again(compiled: Compiled, parameters: NDArray[np.float64], keeps_lock_below: int) -> Solver:

@@ -56,7 +56,6 @@ def test_a_schedule_says_so_and_is_taken_back(
         (("--refine", "1"), "answers are refined in loops"),
         (("--shape", "kernels"), "only straight lines are reproducible"),
         (("--schedule", "balanced"), "joined at a cut round differently from one process"),
-        (("--runtime", "gravity"), "reproducible solvers are not emitted with --runtime"),
     ],
 )
 def test_what_is_not_reproducible_is_refused(

@@ -14,6 +14,7 @@ from adagen.executor import Simulated, groupings, interpret, simulate, straight_
 from adagen.executor.line_copies import WaitingLanesError, copied
 from adagen.executor.needed_values import NeededValues
 from adagen.executor.reproducible import own_limbs
+from adagen.executor.solve import Run
 from adagen.graph import DOUBLE, FLOAT, RoundedGraph
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
@@ -81,6 +82,30 @@ def test_what_is_the_same_is_true(seed: int) -> None:
     model = any_robot(seed)
     truth = truth_of(model, random_states(model, 2, seed=4))
     assert forward_error(answers(reproducible_plan(model), model), truth) < ROUNDING["double"]
+
+
+@pytest.mark.parametrize("seed", spread(range(8), 3))
+def test_constants_that_are_set_are_the_same(seed: int) -> None:
+    """Gravity, a mass and a centre of mass are inputs like those of the state."""
+    model = any_robot(seed)
+    names = [link.name for k, link in enumerate(model.links) if k and link.inertia.mass > 0]
+    runtime = f"mass:{names[-1]},gravity,center:{names[-1]},mass:{names[len(names) // 2]}"
+    rng = np.random.default_rng(seed)
+    plans = [
+        reproducible_plan(model, runtime=runtime),
+        *(reproducible_plan(model, distributed(model, p, rng), runtime=runtime) for p in (2, 3)),
+    ]
+    changed = np.array(plans[0].parameter_values) * rng.uniform(0.5, 1.5, 8)
+    q, v, tau = next(random_states(model, 1, seed=4).each)
+    given = {"q": q, "v": v, "tau": tau, "parameter": changed.tolist()}
+    found = [
+        Run(plan, given, lanes=grouping).accelerations()
+        for plan in plans
+        for grouping in groupings(plan)
+    ]
+    for other in found[1:]:
+        np.testing.assert_array_equal(other, found[0])
+    assert not np.array_equal(found[0], interpret(plans[0], q, v, tau))
 
 
 def turned_star(folder: Path) -> Model:
