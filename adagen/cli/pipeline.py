@@ -188,6 +188,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
         from adagen.library.robot import source_hash
 
         plan = planned(model, schedule, request, source_hash(origin_of(options, None)))
+    _warn_of_still(model, options)
     if chosen.unpaid is None:
         _warn_of_idle(plan, options)
     if options.verbose and options.scene is not None:
@@ -211,6 +212,16 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
 
         origin = origin_of(options, getattr(options, "gravity", None))
         return emitted(model, origin, schedule, plan, request)
+
+
+def _warn_of_still(model: Model, options: argparse.Namespace) -> None:
+    """Warn of joints that closed loops leave no motion."""
+    from adagen.plan.closures import sampled
+    from adagen.plan.loop_checks import in_words, still_joints
+
+    still = still_joints(model, sampled(model)[1]) if model.closed else ()
+    if still and len(still) < len(model.joints):
+        warn(f"{options.model}: warning: {in_words(model, still)}")
 
 
 def _warn_of_idle(plan: Plan, options: argparse.Namespace) -> None:

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import adagen
 from adagen.cli.main import main
+from adagen.errors import InputError
 from adagen.library import read
 from adagen.reference.closed import closed_forward_dynamics, closed_states
 from adagen.states import States, read_result, write_states
@@ -89,3 +91,49 @@ def test_a_second_parent_is_warned_of_without_being_asked(
     assert [each["name"] for each in json.loads(out)["joints"]] == [
         "drive", "elbow", "wrist", "foot",
     ]  # fmt: skip
+
+
+TRIANGLE = (
+    *(link(name) for name in ("ground", "strut", "tie", "arm")),
+    joint("foot", "ground", "strut", origin=bar(0.0)),
+    joint("apex", "strut", "tie", origin=bar(0.5)),
+    *('<loop name="pin" type="revolute"><predecessor link="tie">', bar(0.4), "</predecessor>"),
+    *('<successor link="ground">', bar(0.6), '</successor><axis xyz="0 1 0"/></loop>'),
+)
+"""Two bars between two points of the ground: nothing moves. An arm may hang on it."""
+
+
+@pytest.mark.parametrize("free", [False, True])
+def test_what_closed_loops_let_not_move_is_told(
+    free: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    kind, axis = ("revolute", '<axis xyz="0 1 0"/>') if free else ("fixed", "")
+    path = tmp_path / "triangle.urdf"
+    path.write_text(robot(*TRIANGLE, joint("elbow", "tie", "arm", kind, axis, bar(0.2))))
+    words = [str(path), "--procs", "1", "--out", str(tmp_path / "out"), "-q"]
+    assert main(words) == int(not free)
+    told = capsys.readouterr().err
+    if free:
+        assert 'warning: closed loops leave joints "foot", "apex" no motion' in told
+        return
+    assert (
+        f'{path}: error: nothing to solve: closed loops ("pin") leave no joint any motion' in told
+    )
+    assert "--floating" in told
+    with pytest.raises(InputError, match="leave no joint any motion"):
+        adagen.compile(read(path))
+    assert main([*words, "--loop-forces"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_axes_that_are_not_quite_parallel_are_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As of angles that were written with five digits."""
+    tilted = WELDED.replace('link="pin"/>', 'link="pin"><origin rpy="3.7e-6 0 0"/></successor>')
+    path = tmp_path / "tilted.urdf"
+    path.write_text(robot(*TREE, tilted))
+    assert main([str(path), "--procs", "1", "--out", str(tmp_path / "out")]) == 1
+    told = capsys.readouterr().err
+    assert "axes are not quite parallel, or frames not exact" in told
+    assert "take a kind that holds less" in told
