@@ -26,6 +26,7 @@ from adagen.calibrate.fit import (
     fit_steps,
     relative_errors,
 )
+from adagen.calibrate.instruction_cache import instruction_cache
 from adagen.calibrate.measure import Built, Measurement, combined
 from adagen.calibrate.samples import Wanted, stepwise_programs, straight_programs
 from adagen.calibrate.straight import fit_straight, timed_stretches
@@ -36,7 +37,7 @@ from adagen.errors import UsageError
 from adagen.program.lower import LOOPS
 from adagen.program.names import PREPARED
 from adagen.schedule import CostProfile, load_profile
-from adagen.schedule.costs import CHANNELS, StepCosts
+from adagen.schedule.costs import ASSUMED, CHANNELS, StepCosts
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, how many parts of the work are done, and of how many."""
@@ -220,6 +221,7 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     table = fit_steps(free)
     table["process.evaluation"] = evaluation_cost(free)
     table |= fit_straight(timed_stretches(found.straight))
+    table["unrolled.cache"] = float(instruction_cache() or ASSUMED["unrolled.cache"])
     if found.channels is not None:
         window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)
     else:

@@ -80,7 +80,7 @@ def _timed(sample: Sample) -> Iterator[Timed]:
 
 
 def fit_straight(timed: Sequence[Timed]) -> dict[str, float]:
-    """Return the coefficients of straight lines of statements, microseconds.
+    """Return the coefficients of straight lines of statements, but for the cache; microseconds.
 
     How many statements caches hold is what explains the times best, of numbers that two lines or
     more are longer than: one by itself would be explained by anything. Where no such number of what

@@ -25,11 +25,13 @@ from adagen.schedule.costs import StepCosts
 _VALUE, _MOVE = 6.2, 3.2
 """Bytes of code for each value of a certified straight line, and more for each move between lanes:
 within 5 % of those of robots of 49 to 74 freedoms (docs/records/certificates.md)."""
-_HELD = 70_000
-"""Such bytes up to which a first instruction cache of 64 kB holds a line: talos with its hands has
-68 thousand by this count, and 65 in fact, the next larger ones 73 thousand by either."""
-_AIMED_AT, _FUNCTION = 63_000, 2_000
-"""Bytes that longer ones come to where a loop sweeps residuals, and those of the loop."""
+_HELD = 1.068
+"""Such bytes for each of the first instruction cache up to which it holds a line: where it has 64
+kB, talos with its hands has 68 thousand by this count, and 65 in fact, the next larger ones 73
+thousand by either."""
+_AIMED_AT, _FUNCTION = 0.961, 2_000
+"""Bytes for each of that cache that longer ones come to where a loop sweeps residuals, and those of
+the loop."""
 
 
 @lru_cache(maxsize=16)  # a plan is priced, checked, drawn and emitted one after the other
@@ -58,21 +60,22 @@ def programmed(
         limbs = tuple(chosen_limbs(plan, process, costs) for process in plan.processes)
         return lower(plan, shape, limbs=limbs, costs=costs, again=again)
     limbs = chosen_grouping(plan, costs)
-    return lower(_within_cache(plan, limbs), shape, limbs=limbs, costs=costs)
+    within = _within_cache(plan, limbs, costs["unrolled.cache"])
+    return lower(within, shape, limbs=limbs, costs=costs)
 
 
-def _within_cache(plan: Plan, limbs: Grouping) -> Plan:
+def _within_cache(plan: Plan, limbs: Grouping, cache: float) -> Plan:
     """A plan with residuals that a loop sweeps, for as many rows as its line is too long."""
     every = looped(plan, len(plan.joints))
     if every is None or any(step.looped for step in plan.steps_of(Certify)):
         return plan
     length = _length(plan, limbs)
-    if length <= _HELD:
+    if length <= _HELD * cache:
         return plan
     swept = [line.machine.swept for line in simulate(every, limbs)]  # others are idle
     rows = sum(len(own.rows) for own in swept if own is not None)
     saved = (length - _length(every, limbs)) / rows
-    return looped(plan, math.ceil((length + _FUNCTION - _AIMED_AT) / saved)) or plan
+    return looped(plan, math.ceil((length + _FUNCTION - _AIMED_AT * cache) / saved)) or plan
 
 
 def _length(plan: Plan, limbs: Grouping) -> float:

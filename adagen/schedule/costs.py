@@ -75,13 +75,13 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "process": ("evaluation", "margin"),
     "unrolled": (
         *("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
-        *("evicted", "fits"),
+        *("evicted", "fits", "cache"),
     ),
 }
-"""Groups with coefficients of their own, times but for four.
+"""Groups with coefficients of their own, times but for five.
 
 ``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` and ``unrolled.fits`` are
-numbers of statements.
+numbers of statements, ``unrolled.cache`` is the size of a core's first instruction cache in bytes.
 
 ``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`);
 ``fetched`` is added for each statement beyond those whose decoded instructions are held, and
@@ -89,8 +89,9 @@ numbers of statements.
 beginning to end, its instructions displace those that come next.
 """
 
-ASSUMED = {"unrolled.evicted": 0.0, "unrolled.fits": LIMIT}
-"""What holds where a profile says nothing: it was measured without lines of such a length."""
+ASSUMED = {"unrolled.evicted": 0.0, "unrolled.fits": LIMIT, "unrolled.cache": 65536.0}
+"""What holds where a profile says nothing: it was measured without lines of such a length, and the
+machine's instruction cache is not known."""
 LIKE = {REPEATED: "join"}
 """Groups that a profile may leave out, and the groups whose coefficients hold for them then."""
 

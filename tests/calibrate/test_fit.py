@@ -164,7 +164,8 @@ def test_costs_of_straight_lines_are_found_again() -> None:
     assert any(len(line.processes) > 1 for line in lines)
     rng = np.random.default_rng(7)
     found = fit_straight(timed_stretches([played(line, truth, 0.0, rng) for line in lines]))
-    assert set(found) == {name for name in NAMES if name.startswith("unrolled.")}
+    fitted = {name for name in NAMES if name.startswith("unrolled.")} - {"unrolled.cache"}
+    assert set(found) == fitted  # the machine tells the size of its cache
     assert found == pytest.approx({name: truth[name] for name in found}, rel=1e-5)
 
 

@@ -11,19 +11,21 @@ import pytest
 
 from adagen.build import Toolchain
 from adagen.build.toolchain import STANDARD
-from adagen.cost import lane_choice, programmed
+from adagen.cost import programmed
 from adagen.emit import emit, stem_of
 from adagen.executor import Swept, chosen_grouping, simulate
 from adagen.model import PRISMATIC, REVOLUTE, Model, Passive
 from adagen.plan import Plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import looped
 from adagen.plan.steps import Certify
+from adagen.schedule import CostProfile
 from adagen.states import random_states
 from adagen.studies.random_states import hard_states
 from adagen.studies.stability.loaded import loaded
 from adagen.urdf import read_robot
 from benchmarks.stability.adversary import FAMILIES, robots
 from benchmarks.stability.bounds import Certified, bounded, certified_plan
+from tests.cost.costs import step_profile
 from tests.emitted import NARROW, OPTIMISED, Builder
 from tests.golden.make_models import MODELS
 from tests.models import binary, random_tree, serial_chain, star
@@ -61,9 +63,9 @@ def _damped(model: Model) -> Model:
     return replace(model, joints=joints)
 
 
-def _line(plan: Plan) -> str:
+def _line(plan: Plan, profile: CostProfile | None = None) -> str:
     """The text of a plan's straight line."""
-    return emit(plan, shape="unrolled")[f"{stem_of(plan)}.cpp"]
+    return emit(plan, shape="unrolled", profile=profile)[f"{stem_of(plan)}.cpp"]
 
 
 def _in_loop(model: Model) -> Plan:
@@ -199,16 +201,13 @@ def test_which_robots_loops_sweep() -> None:
     assert looped(certified_plan(star(4, 3), processes=2), ALL) is None
 
 
-def test_long_lines_alone_have_loops(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_lines_that_the_instruction_cache_does_not_hold_have_loops() -> None:
     plan = certified_plan(_humanoid())
     assert CALL not in _line(plan)
-    monkeypatch.setattr(lane_choice, "_HELD", 20_000)
-    monkeypatch.setattr(lane_choice, "_AIMED_AT", 20_000)
-    programmed.cache_clear()
-    (certify,) = programmed(plan, "unrolled").plan.steps_of(Certify)
+    small = step_profile(unrolled__cache=20e3)
+    (certify,) = programmed(plan, "unrolled", small).plan.steps_of(Certify)
     assert 0 < certify.looped < ALL
-    assert CALL in _line(plan)
-    programmed.cache_clear()
+    assert CALL in _line(plan, small)
 
 
 def test_batches_have_none_and_plans_keep_it() -> None:

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from adagen.emit.unrolled.order import (
     AHEAD,
     LIMIT,
+    LIMIT_OF_BATCHES,
     LIMIT_OF_LONG,
     Pace,
     by_step,
@@ -31,6 +32,7 @@ from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
 
 COSTS = step_costs(None)
+CACHE = COSTS["unrolled.cache"]
 
 
 def most_alive(graph: Graph, order: Sequence[int]) -> int:
@@ -85,11 +87,11 @@ def test_of_a_single_state_what_most_waits_for_comes_first() -> None:
     values = {value.index for value in (*short, *power)}
     steps = by_step(graph, Process(steps=(Kinematics(0),), reads=(0,), owns=(0,)), values)
     assert steps == sorted(values)
-    order = by_waits(graph, steps, Pace(value=1.0, cycle=2.0))
+    order = by_waits(graph, steps, Pace(1.0, 2.0, CACHE))
     assert order[0] == power[0].index
     assert set(order[-3:]) == {value.index for value in power[-3:]}
     # Waiting that takes no time: the chain is not begun late all the same.
-    busy = by_waits(graph, steps, Pace(value=1.0, cycle=0.0))
+    busy = by_waits(graph, steps, Pace(1.0, 0.0, CACHE))
     assert busy[:40] == [value.index for value in power[:40]]
 
 
@@ -109,7 +111,7 @@ def test_nothing_far_ahead_is_begun_early() -> None:
     values = set(live_nodes(graph, [total])) - {x.index}
     values = {k for k in values if graph.nodes[k].op != "constant"}
     process = Process(steps=(Kinematics(0),), reads=(0,), owns=(0,))
-    order = by_waits(graph, by_step(graph, process, values), Pace(value=1.0, cycle=1.0))
+    order = by_waits(graph, by_step(graph, process, values), Pace(1.0, 1.0, CACHE))
     assert sorted(order) == sorted(values)
     late = max(turn - n for n, turn in enumerate(order_of(order, sorted(values))))
     assert late <= AHEAD + 100
@@ -122,7 +124,7 @@ def test_in_several_functions_waiting_has_to_count(cycle: float, waits: bool) ->
     graph, process = one.machine.graph, plan.processes[0]
     live = live_nodes(graph, one.machine.roots())
     values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
-    pace = Pace(value=2.0, cycle=cycle)
+    pace = Pace(2.0, cycle, CACHE)
     steps = in_functions(graph, process, values, 1000, None)
     assert [k for cut in steps for k in cut] == by_step(graph, process, values)
     cuts = in_functions(graph, process, values, 1000, pace)
@@ -164,8 +166,14 @@ def test_functions_are_cut_where_the_fewest_values_are_alive() -> None:
 
 
 def test_long_lines_have_short_functions() -> None:
-    assert limit_of_functions(8000, single=True) == LIMIT
-    assert limit_of_functions(9000, single=True) == LIMIT_OF_LONG < LIMIT
+    pace = Pace(1.0, 1.0, CACHE)
+    assert limit_of_functions(8000, pace) == LIMIT
+    assert limit_of_functions(9000, pace) == LIMIT_OF_LONG < LIMIT
+    assert limit_of_functions(4000, pace, short=True) == LIMIT_OF_LONG
+    half = Pace(1.0, 1.0, CACHE / 2)
+    assert limit_of_functions(4000, half) == LIMIT
+    assert limit_of_functions(4500, half) == LIMIT_OF_LONG
+    assert limit_of_functions(9000, None) == LIMIT_OF_BATCHES
 
 
 def order_of(order: Sequence[int], by_turn: Sequence[int]) -> list[int]:

@@ -83,7 +83,7 @@ def arranged(
     alive = [k for k in simulated.alive if nodes[k].op != "constant" and not is_given(nodes[k])]
     pace = None if costs is None else Pace.of(simulated.operations, len(alive), costs)
     short = machine.swept is not None
-    longest = longest or limit_of_functions(len(alive), single=costs is not None, short=short)
+    longest = longest or limit_of_functions(len(alive), pace, short=short)
     found = stages(process)
     waiting = _waiting(machine, alive)
     alive = [k for k in alive if k not in waiting]

@@ -29,11 +29,14 @@ AHEAD = 2000
 LIMIT, LIMIT_OF_BATCHES, LIMIT_OF_LONG = 4000, 2000, 1000
 """Values that one function computes, by default: of a single state; of batches, wide ones, which
 take the nearest cache longer to hold; and of a long line."""
-_LONG = 8500
-"""Values beyond which the line of a single state is long: short functions have short stack frames,
-within reach of short displacements, and it fits a first instruction cache of 64 kB more often."""
+_LONG = 0.1297
+"""Values for each byte of the first instruction cache beyond which the line of a single state is
+long (8,500 where it has 64 kB): short functions have short stack frames, within reach of short
+displacements, and it fits that cache more often."""
 _LEAST = 0.6  # of its limit is what a function computes at least, but for the last one
-_MOST = 5900  # values of several functions: of more, fewer instructions gain more than less waiting
+_MOST = 0.09
+"""Values of several functions for each byte of that cache, up to which less waiting gains more than
+fewer instructions (5,900 where it has 64 kB)."""
 _WORTH = 0.5  # waiting, of their work: what is alive for long costs instructions, which they lack
 
 
@@ -44,16 +47,18 @@ class Pace:
     Attributes:
         value: what one takes, on average, where none waits for another.
         cycle: a cycle of the longest chain of values that do.
+        cache: size of its first instruction cache, bytes.
     """
 
     value: float
     cycle: float
+    cache: float
 
     @staticmethod
     def of(operations: Operations, values: int, costs: StepCosts) -> Pace:
         """Return the pace of a process with so many values."""
         work = costs.total(work_of(operations, costs["unrolled.held"]))
-        return Pace(work / max(1, values), costs["unrolled.cycle"])
+        return Pace(work / max(1, values), costs["unrolled.cycle"], costs["unrolled.cache"])
 
 
 def in_functions(
@@ -77,18 +82,18 @@ def in_functions(
     return [by_waits(graph, function, pace) for function in functions]
 
 
-def limit_of_functions(values: int, *, single: bool, short: bool = False) -> int:
+def limit_of_functions(values: int, pace: Pace | None, *, short: bool = False) -> int:
     """Return how many values one function computes, by default.
 
     Args:
         values: how many the process has.
-        single: whether a single state is solved.
+        pace: of a single state; None where many are solved at once.
         short: whether the line is long enough for short functions, though it is shorter than others
             that have these.
     """
-    if not single:
+    if pace is None:
         return LIMIT_OF_BATCHES
-    return LIMIT if values <= _LONG and not short else LIMIT_OF_LONG
+    return LIMIT if values <= _LONG * pace.cache and not short else LIMIT_OF_LONG
 
 
 def _cut(graph: Graph, order: Sequence[int], longest: int) -> list[list[int]]:
@@ -157,7 +162,7 @@ def _alive(graph: Graph, order: Sequence[int]) -> list[int]:
 def _waiting_counts(graph: Graph, values: Set[int], pace: Pace) -> bool:
     """Whether dependency chains decide the order in several functions, too."""
     waiting = pace.cycle * _waits(graph, values).longest
-    return len(values) <= _MOST and waiting >= _WORTH * pace.value * len(values)
+    return len(values) <= _MOST * pace.cache and waiting >= _WORTH * pace.value * len(values)
 
 
 def by_step(graph: Graph, process: Process, values: Set[int]) -> list[int]:
