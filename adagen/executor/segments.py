@@ -98,6 +98,10 @@ class Segments:
                 self.state.accelerate(step.joint, (a if drift is None else a - drift)[free])
                 if self.state.refining:
                     self.state.keep_force(step.joint, self.state.zeros(*a.shape), driven=True)
+                if step.joint + 1 in self.reactions:  # nothing but what drives it
+                    drive = self.state.zeros(*a.shape)
+                    drive[free] = self.state.torques(step.joint)
+                    self.memory["reaction", step.joint + 1] = drive
             case Accelerate():
                 self._accelerate(step)
             case _:

@@ -106,6 +106,18 @@ def test_outputs_are_those_of_pinocchio(floating: bool, tmp_path: Path) -> None:
     assert straight_line(plan)[0].machine.rows.rows  # limbs share code all the same
 
 
+def test_a_floating_base_is_held_by_what_drives_it_alone(tmp_path: Path) -> None:
+    text = (
+        '[outputs]\nreaction_forces = ["__base__", "left_knee"]\nlink_accelerations = ["torso"]\n'
+    )
+    model = humanoid(tmp_path, text, floating=True)
+    (state,) = random_states(model, 1, seed=4).each
+    for lanes in (False, True):
+        got = interpret(planned(model), *state, lanes=lanes)
+        first = planned(model).entry_of_output(1)
+        assert np.array_equal(got[first : first + 6], state[2][:6])
+
+
 def asked(model: Model, rng: np.random.Generator) -> Model:
     """Ask a tree for each kind of output, at frames that are anywhere on links."""
     outputs = []
