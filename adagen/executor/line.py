@@ -84,6 +84,11 @@ class Line:
         return [self.pair(x, 0) for x in self.machine.certificate]
 
     @cached_property
+    def outputs(self) -> dict[int, list[Pair]]:
+        """The numbers of each output of the scene, by its place in the plan."""
+        return {k: [self.pair(x, 0) for x in own] for k, own in self.machine.outputs.items()}
+
+    @cached_property
     def checks(self) -> list[Looked]:
         """The checked numbers, in order."""
         return [

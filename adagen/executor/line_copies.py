@@ -196,6 +196,9 @@ class _Copy:
     def _results(self) -> None:
         line, machine = self.line.machine, self.machine
         machine.certificate = tuple(self.number(pair) for pair in self.want.certificate)
+        for k, pairs in self.want.outputs.items():
+            numbers = [self.number(pair) for pair in pairs]
+            machine.outputs[k] = np.array(numbers, dtype=object)
         for lead, values in line.results.items():
             own = line.lanes_of_result(lead)[: len(line.rows.own(lead))]
             mine = [(k, j) for k, j in enumerate(own) if j in self.want.own.owns]

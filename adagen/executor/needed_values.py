@@ -50,7 +50,13 @@ class NeededValues:
 
     def _results(self) -> list[Pair]:
         found = [pair for j in self.own.owns for pair in self.line.results.get(j, [])]
+        found += [pair for own in self.outputs.values() for pair in own]
         return found + self.certificate
+
+    @property
+    def outputs(self) -> Mapping[int, list[Pair]]:
+        """The numbers of the scene's outputs, at the only process that has work in such plans."""
+        return self.line.outputs if self.own.steps else {}
 
     @property
     def certificate(self) -> list[Pair]:

@@ -32,7 +32,7 @@ def serial_plan(plan: Plan) -> Plan:
     Where processes of the robot can gather, its steps follow from the joints alone, so that they
     are the same whatever the plan's processes are.
     """
-    if not plan.slaved:
+    if not (plan.slaved or plan.outputs):  # those are computed by one process
         of_one = ProcessSteps(plan.joints, _of_one(plan), 0)
         evaluation = sorted(of_one.evaluation([], []), key=lambda step: _SWEEPS.index(type(step)))
         process = of_one.process_of(evaluation)

@@ -209,6 +209,21 @@ def test_outputs_are_emitted(batch: bool, builder: Builder, tmp_path: Path) -> N
     assert solver.run("--check", "--time", "--repeat", "1").status == 0
 
 
+def test_reproducible_solvers_give_them(builder: Builder, tmp_path: Path) -> None:
+    text = """[outputs]
+link_accelerations = ["hand"]
+reaction_forces = ["elbow_pitch"]
+inverse_inertia = ["hand"]
+"""
+    model = reduced(read_robot(MODELS / "arm7.urdf").model, tmp_path, text).model
+    plan = replace(planned(model), reproducible=True)
+    states = random_states(model, 3, seed=7)
+    got = solved(builder.solver(plan), model, states, tmp_path)
+    want = np.array([interpret(planned(model), *x) for x in states.each])
+    assert got.shape == (3, model.nv + 6 + 6 + 36)
+    assert abs(got - want).max() < 1e-12 * abs(want).max()
+
+
 @pytest.mark.parametrize(
     ("robot", "floating", "scalar", "batch"),
     [
