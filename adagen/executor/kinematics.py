@@ -154,7 +154,7 @@ class Motion:
             a = plus_cross(plus_cross(a, turned + turned, sliding), turning, sliding)
         up = None
         if self.state.asks_up:
-            high = self.state.upwards() if parent == 0 else self._above(j).up
+            high = self._above(j).up  # of a row, some lanes may be on the ground, others not
             assert high is not None  # it is kept of all links, or of none
             up = back.vector(high)
         self.state.memory["field", j + 1] = Field(omega, alpha, a, gradient_of(omega, alpha), up)

@@ -144,8 +144,8 @@ def test_compilers_processes_and_lanes(
         count += 1
         np.testing.assert_array_equal(found, answers, err_msg=f"{flags} {how}")
     assert count > (7 if every else 3)
-    for found, robot in zip(answers, (model, other), strict=True):
-        assert forward_error(found, truth_of(robot, states)) < 4 * ROUNDING[scalar]
+    for answer, robot in zip(answers, (model, other), strict=True):
+        assert forward_error(answer, truth_of(robot, states)) < 4 * ROUNDING[scalar]
 
 
 OBLIQUE = """<robot name="oblique">

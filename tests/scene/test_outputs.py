@@ -48,7 +48,7 @@ Array = NDArray[np.float64]
 MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
 ASKED = """
 [outputs]
-link_accelerations = ["left_foot", "torso"]
+link_accelerations = ["left_foot", "torso", "right_hand"]
 reaction_forces = ["left_knee", "waist_yaw"]
 inverse_inertia = ["left_hand", "right_foot"]
 """
@@ -97,7 +97,7 @@ def test_outputs_are_those_of_pinocchio(floating: bool, tmp_path: Path) -> None:
     plan = planned(model)
     assert plan_from_json(plan_to_json(plan)) == plan
     states = random_states(model, 3, seed=4)
-    assert (model.nqdd, plan.nqdd) == (model.nv + 4 * 6 + 2 * 36,) * 2
+    assert (model.nqdd, plan.nqdd) == (model.nv + 5 * 6 + 2 * 36,) * 2
     for state in states.each:
         want = by_pinocchio(model, state)
         for lanes in (False, True):
