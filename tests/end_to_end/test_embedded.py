@@ -33,6 +33,7 @@ ALLOWED = {
     "sqrt",
     "tanh",
     "floor",
+    "copysign",
     "_GLOBAL_OFFSET_TABLE_",
 }
 """What a solver may ask of others: copies, and functions of libm."""
@@ -174,6 +175,15 @@ def of_host(case: str, builder: Builder) -> Solver:
     compiled = compiled_for("host", case)
     executable = builder.compile(compiled.source, compiled.stem, EXACT)
     return Solver(executable, 1, builder.toolchain)
+
+
+def test_friction_in_floats_takes_tangents_of_floats(builder: Builder, tmp_path: Path) -> None:
+    scene = tmp_path / "scene.toml"
+    scene.write_text("friction = 0.1\n")
+    whole = adagen.read(MODELS / "arm7.urdf", scene=scene)
+    rubbing = adagen.compile(whole, target="embedded", name="own", scalar="float", shape="unrolled")
+    wanted = run("nm", "-u", object_of(rubbing, builder, tmp_path)).split()
+    assert "tanhf" in wanted and "tanh" not in wanted
 
 
 def test_floats_compute_in_floats_alone(builder: Builder, tmp_path: Path) -> None:
