@@ -72,11 +72,12 @@ def _beside_placements(symbols: Symbols, message: Message) -> int:
 
 def send_lines(symbols: Symbols, number: int, lines: Iterable[str]) -> list[str]:
     """Return the lines that send a message, those in it that put its numbers to ``to``."""
-    message = symbols.plan.messages[number]
+    message, puts = symbols.plan.messages[number], list(lines)
+    place = "Number* to = " if puts else ""  # a message of no numbers only says that it is there
     return [
         f"{{  // to process {message.target}: {describe_message(symbols, message)}",
-        f"  Number* to = channel.outgoing({number}, w.status);",
-        *lines,
+        f"  {place}channel.outgoing({number}, w.status);",
+        *puts,
         f"  channel.send({number}, w.status);",
         "}",
     ]
@@ -84,11 +85,12 @@ def send_lines(symbols: Symbols, number: int, lines: Iterable[str]) -> list[str]
 
 def receive_lines(symbols: Symbols, number: int, lines: Iterable[str]) -> list[str]:
     """Return the lines that receive a message, those in it that get its numbers from ``from``."""
-    message = symbols.plan.messages[number]
+    message, gets = symbols.plan.messages[number], list(lines)
+    place = "const Number* from = " if gets else ""
     return [
         f"{{  // from process {message.source}: {describe_message(symbols, message)}",
-        f"  const Number* from = channel.receive({number}, w.status);",
-        *lines,
+        f"  {place}channel.receive({number}, w.status);",
+        *gets,
         "}",
     ]
 

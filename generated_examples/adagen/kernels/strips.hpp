@@ -195,14 +195,13 @@ ADAGEN_INLINE Frame<Lanes> starts_of_strips(Workspace& w, int beyond, Frame<Valu
 // What may be rounding of a link's bias force, as its inertia is expressed in axes of the base: the
 // links' frames are not kept until they are weighed (certify_parts.hpp). The trace of an inertia
 // and the length of a vector are those in any axes.
-ADAGEN_INLINE void keep_units(Block& block, const BlockConstants& constants,
-                              const Frame<Lanes>& at) {
+ADAGEN_INLINE Lanes units_of(const BlockConstants& constants, const Frame<Lanes>& at) {
   const Lanes trace =
       2 * (wide(constants.tensor[0]) + wide(constants.tensor[3]) + wide(constants.tensor[5]));
   const Vector<Lanes> c = wide_vector(constants.moments);
   const Lanes spin = dot(at.omega, at.omega);
   const Lanes turning = dot(at.alpha, at.alpha) + spin * spin;
-  narrow(trace * trace * turning + dot(c, c) * dot(at.a, at.a), block.entries[kTakenUnits]);
+  return trace * trace * turning + dot(c, c) * dot(at.a, at.a);
 }
 
 // The links' frames, left in their blocks, from how the strips' starts lie and move. Where strips
@@ -227,8 +226,7 @@ ADAGEN_INLINE void along_strips(Workspace& w, int beyond, const Frame<Lanes>& st
       put_axis_at(row_at<Run>(w, row, kAxes), axis);
     }
     if constexpr (in_parts && kWeighed)
-      keep_units(w.blocks[static_cast<std::size_t>(Run::kPlace + row)],
-                 w.constants_of(Run::kBlock + row), at);
+      put_at(row_at<Run>(w, row, kTakenUnits), units_of(w.constants_of(Run::kBlock + row), at));
     if constexpr (in_parts) {
       set_up_block(w.blocks[static_cast<std::size_t>(Run::kPlace + row)],
                    w.constants_of(Run::kBlock + row), at);

@@ -1,10 +1,12 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -17,6 +19,21 @@
 
 namespace adagen {
 namespace {
+
+// Whether a decimal number is one of a double's range, and which. Standard libraries of LLVM before
+// version 20 do not have the function that no locale changes; the program stays in that of C.
+inline bool read_number(const std::string& text, double& value) {
+#ifdef __cpp_lib_to_chars
+  const char* const beyond = text.data() + text.size();
+  const auto end = std::from_chars(text.data(), beyond, value);
+  return end.ec == std::errc() && end.ptr == beyond;
+#else
+  char* end = nullptr;
+  errno = 0;
+  value = std::strtod(text.c_str(), &end);
+  return end == text.c_str() + text.size() && (errno == 0 || value != 0);
+#endif
+}
 
 // Text as a JSON string, in one line.
 std::string quoted(const char* text) {
@@ -114,11 +131,8 @@ class JsonReader {
       good = digits();
     }
     double value = 0;
-    if (good) {
-      const auto end = std::from_chars(text_.data() + start, text_.data() + at_, value);
-      good = end.ec == std::errc() && end.ptr == text_.data() + at_ && std::isfinite(value);
-    }
-    if (!good) refuse("expected a finite number");
+    if (!good || !read_number(text_.substr(start, at_ - start), value) || !std::isfinite(value))
+      refuse("expected a finite number");
     return value;
   }
 

@@ -148,14 +148,14 @@ class Refinement {
 
   // What the answer and its last step weigh, and all accelerations relative to free fall.
   void weigh(const RefinedProcess& own) {
-    const Six<double> still = Six<double>::Zero();
+    const Six<double> none = Six<double>::Zero();
     for (const int j : own.path) {
       const int parent = kJoints[j].parent;
       WideJoint& i = joints_[j];
       const auto& carried = i.roughly_carried;
-      i.moved = carried(parent > 0 ? joints_[parent - 1].moved : still) +
+      i.moved = carried(parent > 0 ? joints_[parent - 1].moved : none) +
                 along_joint<double>(j, qdd.data());
-      i.stepped = carried(parent > 0 ? joints_[parent - 1].stepped : still) +
+      i.stepped = carried(parent > 0 ? joints_[parent - 1].stepped : none) +
                   along_joint<double>(j, step.data());
     }
     energy = step_energy = whole_energy = 0;

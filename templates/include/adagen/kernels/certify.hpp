@@ -382,7 +382,7 @@ void weigh_root(Workspace& w) {
 }
 
 inline void begin_weighing(Workspace& w) { w.seen = w.rounded = w.energy = Value{}; }
-inline void end_weighing(Workspace& w) {
+[[maybe_unused]] inline void end_weighing(Workspace& w) {
   w.certificate = {w.seen + kUnit * kUnit * w.rounded, w.energy};
 }
 

@@ -185,8 +185,8 @@ ADAGEN_NOINLINE void weigh_parts(Workspace& w, const SweptParts& swept, const Sh
   X.moments += dot(X.n, X.n) + moments, X.forces += dot(X.f, X.f) + pull;
   X.n += -n, X.f += -f;
   if constexpr (kOnGround<Run>) {  // the ground takes all but what is along the joint
-    constexpr LaneBits held = first_lane(kEachLane);
-    choose(held, axis0 * dot(axis0, X.n), X.n, X.n), choose(held, Vector<Lanes>{}, X.f, X.f);
+    choose(kFirstLane, axis0 * dot(axis0, X.n), X.n, X.n),
+        choose(kFirstLane, Vector<Lanes>{}, X.f, X.f);
   }
   const Lanes left[6]{X.n.x, X.n.y, X.n.z, X.f.x, X.f.y, X.f.z};
   Lanes own{};

@@ -53,6 +53,7 @@ template <std::size_t... lane>
 constexpr LaneBits first_lane(std::index_sequence<lane...>) {
   return LaneBits{(lane == 0 ? -1 : 0)...};
 }
+[[maybe_unused]] constexpr LaneBits kFirstLane = first_lane(kEachLane);
 
 // Numbers that consist of lanes become zero in all lanes but some.
 template <class T>
@@ -220,21 +221,20 @@ ADAGEN_INLINE Lanes hold_first(Workspace& w, const Body<Lanes>& X, const Lanes& 
   Lanes D = dot(axis, n);
   if constexpr (kAnyPassive)
     D += each(row, [](const JointConstants& joint) { return joint.passive.rotor; });
-  constexpr LaneBits first = first_lane(kEachLane);
   const Lanes trace = X.A.xx + X.A.yy + X.A.zz;
-  const Lanes left = chosen(first, D - kEnough * trace, Lanes{} + 1);
-  if (__builtin_expect(!all_positive(left), 0)) lose(w, row, chosen(first, D, trace), trace);
+  const Lanes left = chosen(kFirstLane, D - kEnough * trace, Lanes{} + 1);
+  if (__builtin_expect(!all_positive(left), 0)) lose(w, row, chosen(kFirstLane, D, trace), trace);
   const Lanes inverse = 1 / D;
   const Lanes u = (torques<Run>(w, 0, kEachLane) - dot(axis, X.n)) * inverse;
   const Lanes s[3]{axis.x, axis.y, axis.z};
   ADAGEN_FOR (i, 0, 6) {
-    b[i] = chosen(first, i < 3 ? s[i % 3] * u : Lanes{}, b[i]);
+    b[i] = chosen(kFirstLane, i < 3 ? s[i % 3] * u : Lanes{}, b[i]);
     ADAGEN_FOR (k, 0, 6) {
       const Lanes held = i < 3 && k < 3 ? s[i % 3] * s[k % 3] * inverse : Lanes{};
-      Phi[i][k] = chosen(first, held, Phi[i][k]);
+      Phi[i][k] = chosen(kFirstLane, held, Phi[i][k]);
     }
   }
-  return chosen(first, Lanes{} + 1, good);
+  return chosen(kFirstLane, Lanes{} + 1, good);
 }
 
 // What each part shows; nothing is joined to the last one's last link where the chain ends there.

@@ -213,7 +213,7 @@ ADAGEN_INLINE void lessen(Body<Lanes>& Phi, const Lanes (&Z)[6][6], const Lanes 
 }
 
 // What is asked of joined chains: what each end shows, and how the ends feel each other, too.
-enum class Asked { kNothing, kEnds, kAll };
+enum class Asked { kNone, kEnds, kAll };
 
 // Joins chains with those that lie beyond them, by Eq. (3)-(7); the ends that meet are seen from
 // where they lie. Rows that weigh: 6 where a joint has a rotor. One function for all levels, with
@@ -243,7 +243,7 @@ ADAGEN_NOINLINE Lanes join_chains(Chains& chains, const Body<Lanes>& meeting, co
     ADAGEN_FOR (row, 0, rows) bias[k] += x[row] * n[row];
     ADAGEN_FOR (row, 0, 6) i.Z[k][row] = x[row];
   }
-  if (asked == Asked::kNothing) return good;
+  if (asked == Asked::kNone) return good;
   lessen<rows>(chains.ends, i.Z, i.over);
   chains.ends.f += angular_of(bias) * -at.sign, chains.ends.n += linear_of(bias) * -at.sign;
   if (asked == Asked::kEnds) return good;
@@ -313,7 +313,7 @@ struct WholeChain {
 
   Asked asked() const {
     if (across != nullptr) return Asked::kAll;
-    return near != nullptr || far != nullptr ? Asked::kEnds : Asked::kNothing;
+    return near != nullptr || far != nullptr ? Asked::kEnds : Asked::kNone;
   }
 };
 template <int lane>
