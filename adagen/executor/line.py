@@ -79,6 +79,11 @@ class Line:
         return list(enumerate(lanes))[: len(self.machine.rows.own(j))]
 
     @cached_property
+    def forces(self) -> dict[int, list[Pair]]:
+        """Forces of loops and couplings, by their first entries in an answer."""
+        return {k: [self.pair(x, 0) for x in own] for k, own in self.machine.forces.items()}
+
+    @cached_property
     def certificate(self) -> list[Pair]:
         """The squares of the energy norms of error and answer, where that is certified."""
         return [self.pair(x, 0) for x in self.machine.certificate]

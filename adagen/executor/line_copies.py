@@ -196,9 +196,10 @@ class _Copy:
     def _results(self) -> None:
         line, machine = self.line.machine, self.machine
         machine.certificate = tuple(self.number(pair) for pair in self.want.certificate)
-        for k, pairs in self.want.outputs.items():
-            numbers = [self.number(pair) for pair in pairs]
-            machine.outputs[k] = np.array(numbers, dtype=object)
+        asked = ((self.want.outputs, machine.outputs), (self.want.forces, machine.forces))
+        for wanted, given in asked:
+            for k, pairs in wanted.items():
+                given[k] = np.array([self.number(pair) for pair in pairs], dtype=object)
         for lead, values in line.results.items():
             own = line.lanes_of_result(lead)[: len(line.rows.own(lead))]
             mine = [(k, j) for k, j in enumerate(own) if j in self.want.own.owns]
@@ -225,6 +226,8 @@ class _Copy:
             if index in self.lanes and len(own) > 1:
                 lanes = in_lanes(self.lanes[index])
                 pivot, least = (self._value(x.index, lanes) for x in (check.pivot, check.least))
+                if joints[0] >= len(self.want.plan.joints):  # loops or couplings
+                    self.machine.rows.beyond_joints[joints[0]] = tuple(joints)
                 assert self.machine.rows.own(joints[0]) == tuple(joints)
                 found = [Check(pivot, least, joints[0], check.failure, check.near)]
             else:

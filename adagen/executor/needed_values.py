@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from adagen.executor.line import Line, Looked, Pair
 from adagen.model.kinds import KINDS
-from adagen.plan.steps import LinkBias, StartLink
+from adagen.plan.steps import Articulate, HoldBack, LinkBias, StartLink
 from adagen.plan.types import Plan, Process
 
 
@@ -50,7 +51,9 @@ class NeededValues:
 
     def _results(self) -> list[Pair]:
         found = [pair for j in self.own.owns for pair in self.line.results.get(j, [])]
-        found += [pair for own in self.outputs.values() for pair in own]
+        found += [pair for own in (self.outputs, self.forces) for x in own.values() for pair in x]
+        if self.plan.closed:  # answers need not depend on how far loops are open
+            found += [looked.pivot for looked in self.line.checks if looked.joint in self._blamed]
         return found + self.certificate
 
     @property
@@ -58,19 +61,34 @@ class NeededValues:
         """The numbers of the scene's outputs, at the only process that has work in such plans."""
         return self.line.outputs if self.own.steps else {}
 
+    @cached_property
+    def forces(self) -> dict[int, list[Pair]]:
+        """Forces of loops and couplings that this process gives, by their first entries."""
+        own = self.plan.force_entries(self.own)
+        return {k: x for k, x in self.line.forces.items() if k in own}
+
+    @cached_property
+    def _blamed(self) -> set[int]:
+        """Joints, loops and couplings that its steps treat, as checks number them."""
+        joints = {*self.own.owns, *self.own.shares}
+        joints.update(step.joint for step in self.own.steps_of(Articulate, HoldBack))
+        first = len(self.plan.joints)
+        loops = (max(loop.links) - 1 for loop in self.plan.loops)
+        near = [*loops, *(coupling.terms[0][0] for coupling in self.plan.couplings)]
+        return joints | {k for k, j in enumerate(near, start=first) if j in joints}
+
     @property
     def certificate(self) -> list[Pair]:
         """What bounds the error of the answer, at the only process that has work in such plans."""
         return self.line.certificate if self.own.steps else []
 
     def _looked(self, found: set[Pair]) -> list[Looked]:
-        treated = {*self.own.owns, *self.own.shares}
         nodes = self.line.nodes
         return [
             looked
             for looked in self.line.checks
             if looked.pivot in found
-            or (nodes[looked.pivot[0]].op == "constant" and looked.joint in treated)
+            or (nodes[looked.pivot[0]].op == "constant" and looked.joint in self._blamed)
         ]
 
     def all_of_it(self) -> tuple[set[Pair], list[Looked]]:

@@ -32,7 +32,7 @@ def serial_plan(plan: Plan) -> Plan:
     Where processes of the robot can gather, its steps follow from the joints alone, so that they
     are the same whatever the plan's processes are.
     """
-    if not (plan.slaved or plan.outputs):  # those are computed by one process
+    if not (plan.slaved or plan.outputs or plan.closed):  # those are computed by one process
         of_one = ProcessSteps(plan.joints, _of_one(plan), 0)
         evaluation = sorted(of_one.evaluation([], []), key=lambda step: _SWEEPS.index(type(step)))
         process = of_one.process_of(evaluation)
@@ -68,13 +68,13 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
     """
     if plan.form != "segment":
         raise UsageError("only form segment is reproducible")
-    if plan.closed:
-        raise UsageError(
-            "closed loops are not reproducible: each is solved by one process, by statements that "
-            "others do not share; leave out --reproducible"
-        )
     if not plan.several:
         return
+    if plan.closed:
+        raise UsageError(
+            "closed loops are reproducible where one process does everything: leave out --schedule "
+            "or --reproducible"
+        )
     if gathered is None:
         raise UsageError(
             "processes that are joined at a cut round differently from one process: reproducible "

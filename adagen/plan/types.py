@@ -286,16 +286,14 @@ class Plan:
         """The plan for many states at once.
 
         Lanes of a batch go the same way: the first one, or the last one, which suits all closed
-        poses, where a pose in a group is poor. A reproducible one always takes the last one, so
-        that neighbours do not matter. Their code is fetched once for all lanes: no loop sweeps
-        residuals.
+        poses, where a pose in a group is poor. Reproducible ones have all ways, of which each lane
+        goes its own, so that neighbours do not matter. Their code is fetched once for all lanes: no
+        loop sweeps residuals.
         """
         if any(step.looped for step in self.steps_of(Certify)):
             return self.with_looped(0)
-        if not self.closed:
+        if not self.closed or self.reproducible:
             return self
-        if self.reproducible:
-            return self.alternatives[-1]
         ways = [(process, (process.recovery, *process.others)) for process in self.processes]
         processes = (replace(p, recovery=again[-1], others=()) for p, again in ways)
         return replace(self, processes=tuple(processes))

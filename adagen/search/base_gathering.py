@@ -44,7 +44,7 @@ def reproducible_schedule(
         UsageError: P is out of range.
     """
     alone = alone_schedule(model, processes, profile)
-    if not _may_share(model, processes, profile):
+    if model.closed or not _may_share(model, processes, profile):
         return alone
     layouts, weights = _layouts(model, alone, scalar)
     return cheapest_of(

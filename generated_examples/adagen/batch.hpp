@@ -133,7 +133,7 @@ class Solver {
   bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
                   double* bounds) {
     bool good = true;
-#ifdef ADAGEN_RECOVERS
+#if defined(ADAGEN_RECOVERS) && !defined(ADAGEN_EACH_ITS_WAY)
     tried_ = poor_ = 0;
 #endif
     for (int first = 0, groups; first < count; first += groups * kTogether) {
@@ -233,7 +233,9 @@ class Solver {
       group.w.status = kFine;
     }
     [[maybe_unused]] const TinyAreZero tiny;
-#ifdef ADAGEN_RECOVERS
+#if defined(ADAGEN_EACH_ITS_WAY)
+    go_each_its_way(groups);
+#elif defined(ADAGEN_RECOVERS)
     std::array<bool, kGroups> poor;
     poor.fill(true);
     if (2 * poor_ <= tried_) {
@@ -255,13 +257,62 @@ class Solver {
 
   // How many groups are next: one that shows which way to go, if there are several.
   int at_once() const {
-#ifdef ADAGEN_RECOVERS
+#if defined(ADAGEN_RECOVERS) && !defined(ADAGEN_EACH_ITS_WAY)
     if (tried_ == 0) return 1;
 #endif
     return kGroups;
   }
 
-#ifdef ADAGEN_RECOVERS
+#if defined(ADAGEN_EACH_ITS_WAY)
+  // Groups go the first way; those in which it cannot stand a pose of a state go the next, too.
+  void go_each_its_way(int groups) {
+    std::array<bool, kGroups> left;
+    left.fill(true);
+    for (int g = 0; g < groups; ++g) groups_[size(g)].w.ways.begin();
+    for (const Way& way : kWays) {
+      for (std::size_t k = 0; k + 1 < way.count; ++k)
+        for (int g = 0; g < groups; ++g)
+          if (left[size(g)]) way.parts[k](groups_[size(g)].w);
+      for (int g = 0; g < groups; ++g) {
+        Workspace& w = groups_[size(g)].w;
+        if (left[size(g)] && !(left[size(g)] = goes_on(w))) way.parts[way.count - 1](w);
+      }
+    }
+  }
+
+  // Returns whether a state of a group is to go the next way; what the others gave is kept.
+  static bool goes_on(Workspace& w) {
+    LaneWays& ways = w.ways;
+    if (any_of(ways.refused & ~ways.poor)) {  // its states are solved one by one
+      if (failure_kind(w.status) == kSingularPose) w.status = failure(kLoopSingular, 0);
+      return false;
+    }
+    const bool more = any_of(ways.poor);
+    if (!more && !any_of(ways.done)) return false;
+    const LaneBits solved = ~(ways.poor | ways.done);
+    take_in(ways.result, w.result, solved);
+#if defined(ADAGEN_CERTIFIED)
+    take_in(ways.certificate, w.certificate, solved);
+#endif
+    if (more) {
+      ways.done |= solved;
+      ways.poor = ways.refused = LaneBits{};
+      w.status = kFine;
+      return true;
+    }
+    w.result = ways.result;
+#if defined(ADAGEN_CERTIFIED)
+    w.certificate = ways.certificate;
+#endif
+    return false;
+  }
+
+  // Some lanes of values.
+  template <class Values>
+  static void take_in(Values& to, const Values& from, const LaneBits& lanes) {
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] = chosen(lanes, from[k], to[k]);
+  }
+#elif defined(ADAGEN_RECOVERS)
   // Some of the groups go through all parts.
   template <class Parts>
   void go_through(const Parts& parts, int groups, const std::array<bool, kGroups>& which) {

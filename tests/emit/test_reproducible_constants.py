@@ -40,13 +40,21 @@ class Library:
         builder: compiles it.
         flags: how.
         folder: where.
+        refused: whether states may be refused, whose accelerations are then no numbers.
         options: of the emitter.
     """
 
     def __init__(
-        self, plan: Plan, builder: Builder, flags: tuple[str, ...], folder: Path, **options: Any
+        self,
+        plan: Plan,
+        builder: Builder,
+        flags: tuple[str, ...],
+        folder: Path,
+        *,
+        refused: bool = False,
+        **options: Any,
     ) -> None:
-        self.plan, self.batch = plan, options.get("batch", 0)
+        self.plan, self.batch, self.refused = plan, options.get("batch", 0), refused
         self.stem = stem_of(plan, None, self.batch)
         source, library = folder / "solver.cpp", folder / f"{len(list(folder.iterdir()))}.so"
         source.write_text(joined(text_of(plan, **options)))
@@ -64,7 +72,7 @@ class Library:
         function = self.library[f"{self.stem}_{name}"]
         function.restype = ctypes.c_void_p if found else ctypes.c_int
         status = function(*words)
-        assert status if found else status == 0, name
+        assert status if found else status == 0 or self.refused, name
         return ctypes.c_void_p(status) if found else status
 
     def _numbers(self, values: Any) -> Any:
@@ -87,7 +95,7 @@ class Library:
             return np.array(qdd, self.array).reshape(count, nv)
         rows = []
         for row in states.each:
-            qdd = (self.number * nv)()
+            qdd = (self.number * nv)(*[np.nan] * nv)
             self._call("solve", self.solver, *map(self._numbers, row), qdd)
             rows.append(np.array(qdd, self.array))
         return np.array(rows)

@@ -27,7 +27,6 @@ from tests.emit.limbs import alike
 from tests.emitted import ROUNDING, forward_error, truth_of
 from tests.executor.test_lane_bits import affected, limbs, slaved
 from tests.gathered import distributed, reproducible_plan
-from tests.mechanisms import four_bar
 from tests.models import Array, human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 from tests.slow import spread
@@ -221,8 +220,6 @@ def test_what_depends_on_the_processes_is_refused() -> None:
         make_plan(model, schedule, meeting="gather", reproducible=True)
     with pytest.raises(UsageError, match="only form segment is reproducible"):
         make_plan(model, schedule, form="ada", reproducible=True)
-    with pytest.raises(UsageError, match="closed loops are not reproducible"):
-        reproducible_plan(four_bar())
 
 
 def test_constants_are_rounded_as_a_processor_rounds_them() -> None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import count
 
 from adagen.emit import guards
 from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
@@ -24,6 +25,7 @@ from adagen.emit.unrolled.results import Results, names_state
 from adagen.emit.unrolled.swept import kept_lines, sweep_line, swept_values
 from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
 from adagen.executor import Simulated, Swept, simulate
+from adagen.executor import groupings as shared_limbs
 from adagen.executor.checks import exceeds
 from adagen.executor.lanes import Grouping
 from adagen.graph import Expression, Node, live_nodes
@@ -66,6 +68,8 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
     functions = any(row.calls_functions() for row in rows)
     swept = [row.machine.swept for row in rows if row.machine.swept is not None]
     own = plan.reproducible  # sines and tangents, not those of the C library
+    again = texts[len(plan.processes) :]
+    each_its_way = own and bool(symbols.batch and again)
     return {
         "runtime": [
             *["reproducible.hpp"] * own,
@@ -76,7 +80,11 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         + ["unrolled_lane_functions.hpp"] * (functions and symbols.batch)
         + ["multiply_add_lanes.hpp"] * (own and bool(symbols.batch or wide)),
         "unrolled": texts[: len(plan.processes)],
-        "recovery": texts[len(plan.processes) :],
+        "recovery": again,
+        "each_its_way": each_its_way,
+        "again": [(text, *names) for text, names in zip(again, _names_of_ways(), strict=False)]
+        if each_its_way
+        else [(text, "_again", "kRecoverParts") for text in again[:1]],
         "places": max((row.arrangement.places for row in rows), default=0),
         "swept": bool(swept),
         "angle_count": angles + max((one.lanes for one in swept), default=0),
@@ -88,8 +96,15 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
     }
 
 
+def _names_of_ways() -> Iterator[tuple[str, str]]:
+    """Yield what ends the names of functions for further ways, and names of what a way does."""
+    return ((f"_again_{k}", f"kRecoverParts_{k}") for k in count())
+
+
 def _recovering(symbols: Symbols, plans: Sequence[Plan]) -> list[Grouping]:
-    """Return the limbs in lanes in each recovery."""
+    """Return the limbs in lanes in each recovery; reproducible ones have those of their lines."""
+    if symbols.plan.reproducible:
+        return [shared_limbs(plan)[0 if symbols.batch else -1] for plan in plans]
     return [
         tuple(
             tuple(without_unlike(plan, process.steps, limbs))

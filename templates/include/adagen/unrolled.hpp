@@ -34,8 +34,26 @@ namespace {
 [[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
 inline void fail(Workspace& w, Failure kind, int joint) {
+#if defined(ADAGEN_REPRODUCIBLE) && defined(ADAGEN_RECOVERS)
+  // Whatever is found first: a pose that another way may stand goes before what is refused.
+  if (kind == kSingularPose && failure_kind(w.status) != kNoAnswer) w.status = kFine;
+#endif
   Channel::fail(w.status, failure(kind, joint));
 }
+
+#if defined(ADAGEN_EACH_ITS_WAY)
+// A test of lanes counts for those that have no answer yet.
+inline void require_all(Workspace& w, const LaneBits& good, Failure kind, int joint) {
+  const LaneBits bad = ~good & ~w.ways.done;
+  if (__builtin_expect(!any_of(bad), 1)) return;
+  (kind == kSingularPose ? w.ways.poor : w.ways.refused) |= bad;
+  fail(w, kind, joint);
+}
+#define ADAGEN_REQUIRE(w, good, also, kind, joint) require_all(w, (good) & (also), kind, joint)
+#else
+#define ADAGEN_REQUIRE(w, good, also, kind, joint) \
+  if (!all(good, also)) fail(w, kind, joint)
+#endif
 
 // A state was found not to be finite: which joint's?
 template <std::size_t reads, std::size_t owns>
@@ -54,16 +72,15 @@ template <std::size_t reads, std::size_t owns>
 }
 
 [[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
-  if (!all(squared >= std::numeric_limits<Real>::min(),
-           squared <= std::numeric_limits<Real>::max()))
-    fail(w, kZeroQuaternion, joint);
+  ADAGEN_REQUIRE(w, squared >= std::numeric_limits<Real>::min(),
+                 squared <= std::numeric_limits<Real>::max(), kZeroQuaternion, joint);
 }
 
 // A pivot or a mobility has to be more than what rounding may have left of it.
 template <class T>
 [[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
                                    int joint) {
-  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
+  ADAGEN_REQUIRE(w, x > least, x <= std::numeric_limits<Real>::max(), kind, joint);
 }
 
 // A result was found not to be finite: which joint's?

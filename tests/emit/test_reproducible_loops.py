@@ -1,0 +1,129 @@
+"""Reproducible solvers of closed loops answer the same to the last bit, in poor poses, too."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from adagen.executor import groupings
+from adagen.executor.solve import Run, SingularPoseError
+from adagen.model import Model
+from adagen.plan import Plan
+from adagen.plan.certificate import certified
+from adagen.reference.closed import closed_forward_dynamics
+from adagen.states import States, read_result, write_states
+from benchmarks.closed_robots import MECHANISMS as BENCHMARKS
+from tests.emit.test_reproducible import CLANG_FLAGS, FLAGS, runs
+from tests.emit.test_reproducible_constants import WIDE, Library
+from tests.emitted import QUICK, Array, Builder
+from tests.gathered import reproducible_plan
+from tests.mechanisms import four_bar, quadruped, states_of
+from tests.slow import slow
+
+OLD = ("-O1", "-march=x86-64")
+ROBOTS: dict[str, Callable[[], Model]] = {
+    "four-bar": four_bar,
+    "quadruped": quadruped,
+    **{name: BENCHMARKS[name] for name in ("leg with a parallel ankle", "a1 on four point feet")},
+}
+ENOUGH = {"double": 1e-11, "float": 1e-3}
+
+
+def is_poor(plan: Plan, row: tuple[Array, Array, Array]) -> bool:
+    """Return whether the first way cannot stand the pose of a state."""
+    try:
+        Run(plan, dict(zip(("q", "v", "tau"), row, strict=True))).check()
+    except SingularPoseError:
+        return True
+    return False
+
+
+def mixed(model: Model, plan: Plan, count: int) -> States:
+    """Return closed states; of robots on several feet some are poor, some not."""
+    states = states_of(model, count, seed=5)
+    if model.loops[1:]:
+        assert 2 < sum(is_poor(plan, row) for row in states.each) < count - 2
+    return states
+
+
+def ways(plan: Plan, builder: Builder, *, every: bool) -> Iterator[tuple[Builder, Any, Any]]:
+    """Yield compilers, their flags, and options of the emitter."""
+    yield builder, OLD, {"limbs": groupings(plan)[0]}
+    yield from ((builder, flags, {}) for flags in (filter(runs, FLAGS) if every else (WIDE,)))
+    yield from ((builder, flags, {"batch": 1}) for flags in (FLAGS[:2] if every else (QUICK,)))
+    if shutil.which("clang++"):
+        other = builder.with_compiler("clang++")
+        known = filter(runs, CLANG_FLAGS) if every else CLANG_FLAGS[-1:]
+        yield from ((other, flags, {}) for flags in known)
+        if every:
+            yield other, WIDE[:2], {"batch": 1}
+
+
+def same(
+    plan: Plan, model: Model, states: States, builder: Builder, folder: Path, *, every: bool
+) -> Path:
+    """Assert that all answers are the same to the last bit, and return one of them."""
+    given, result = folder / "states.json", folder / "result.json"
+    write_states(states, model, given)
+    expected = ""
+    for compiler, flags, how in ways(plan, builder, every=every):
+        solver = compiler.solver(plan, flags, **how)
+        done = solver.run("--states", given, "--result", result)
+        assert (done.status, done.stderr) == (0, "")
+        expected = expected or result.read_text(encoding="utf-8")
+        assert result.read_text(encoding="utf-8") == expected, (flags, how)
+    return result
+
+
+@pytest.mark.parametrize(
+    ("robot", "scalar", "every"),
+    [
+        ("four-bar", "double", False),
+        slow("quadruped", "double", False),
+        slow("quadruped", "float", False),
+        *(slow(robot, scalar, True) for robot in ROBOTS for scalar in ("double", "float")),
+    ],
+)
+def test_compilers_lanes_and_batches(
+    robot: str, scalar: str, every: bool, builder: Builder, tmp_path: Path
+) -> None:
+    model = ROBOTS[robot]()
+    plan = reproducible_plan(model, scalar=scalar)
+    states = mixed(model, plan, 24)
+    found = read_result(same(plan, model, states, builder, tmp_path, every=every), model)
+    truth = np.array([closed_forward_dynamics(model, *row) for row in states.each])
+    assert np.abs(found - truth).max() < ENOUGH[scalar] * np.abs(truth).max()
+
+
+@pytest.mark.parametrize("robot", ["four-bar", slow("leg with a parallel ankle")])
+def test_certificates(robot: str, builder: Builder, tmp_path: Path) -> None:
+    model = ROBOTS[robot]()
+    plan = certified(reproducible_plan(model))
+    result = same(plan, model, states_of(model, 9), builder, tmp_path, every=False)
+    bounds = json.loads(result.read_text())["error_bounds"]
+    assert all(0 < bound < 1e-6 for bound in bounds)
+
+
+@pytest.mark.parametrize("scalar", ["double", slow("float")])
+def test_neighbours_in_a_batch_do_not_matter(scalar: str, builder: Builder, tmp_path: Path) -> None:
+    """Poor poses, good ones and open loops side by side: each is answered as if it were alone."""
+    model = quadruped()
+    plan = reproducible_plan(model, scalar=scalar)
+    states = mixed(model, plan, 24)
+    states.q[[3, 11, 12], -1] += 0.3  # a foot is off the ground
+    states.tau[17] = np.nan
+    alone, many = (
+        Library(plan, builder, QUICK, tmp_path, batch=batch, refused=True) for batch in (0, 1)
+    )
+    expected, found = alone.solve(states), many.solve(states)
+    np.testing.assert_array_equal(found, expected)
+    assert np.flatnonzero(np.isnan(found).any(axis=1)).tolist() == [3, 11, 12, 17]
+    for k in range(0, 24, 5):  # other neighbours
+        turned = States(*(np.roll(x, k, axis=0) for x in (states.q, states.v, states.tau)))
+        np.testing.assert_array_equal(many.solve(turned), np.roll(expected, k, axis=0))
