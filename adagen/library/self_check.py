@@ -88,7 +88,7 @@ def _states(model: Model) -> list[State]:
     moving = (sizes > _SINGULAR * sizes[:, :1]).sum(axis=1) < model.nv
     q, jacobian = q[moving][:_CLOSED], jacobian[moving][:_CLOSED]
     rng = np.random.default_rng(1)
-    v = rng.uniform(-1.0, 1.0, (len(q), model.nv, 1))
+    v = rng.uniform(-1.0, 1.0, (len(q), model.nv, 1)) * (not model.at_rest)
     v = v - np.linalg.pinv(jacobian, rcond=_SINGULAR) @ jacobian @ v
     return list(zip(q, v[:, :, 0], rng.uniform(-1.0, 1.0, (len(q), model.ntau)), strict=True))
 

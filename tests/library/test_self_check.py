@@ -49,6 +49,7 @@ def test_a_limb_on_a_closed_loop_that_is_left_out_is_found(monkeypatch: pytest.M
     """As it was where it hangs on a link of another lane than the first."""
     checked(geared_pairs(["trunk"] * 3, [("trunk", None), ("tail", "near1")]))
     checked(quadruped())
+    checked(replace(quadruped(), at_rest=True))  # looked at without velocities
     monkeypatch.setattr("adagen.executor.closures.is_rigid", lambda *_: True)
     with pytest.raises(AssertionError, match="solves another robot"):
         checked(geared_pairs(["trunk"] * 3, [("trunk", None), ("tail", "near2")]))
