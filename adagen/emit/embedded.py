@@ -15,6 +15,7 @@ TEXT = 200
 """Characters of a failure's message, the end among them."""
 _LANES = 64  # bytes of numbers side by side, whatever the machine's registers hold
 _LINE = 64  # what a solver is aligned to
+_SOME = 8  # bytes of an index, or of something empty, beside numbers
 _BODY, _MOTION, _BLOCK, _COLUMNS = 27, 6, 43, 24  # numbers
 
 
@@ -70,15 +71,17 @@ def _bytes(symbols: Symbols, values: dict[str, object]) -> int:
     size = 4 if symbols.plan.scalar == "float" else 8
     numbers, results = len(symbols.plan.parameter_values), symbols.plan.nqdd
     if symbols.program.shape == LOOPS:
-        whole = _in_loops(symbols, values, size) + results * size
-    else:
-        angles = 3 * _number(values["angle_count"])
-        rows, places = _number(values["wide_results"]), _number(values["places"])
-        # Each part of StraightMemory begins on a line of its own, pointers at the begin of it all.
-        parts = (angles + results, rows + 2, places)
-        whole = _LINE + sum(max(_LINE, _lines(part * size)) for part in parts)
-    pointers = 8 * 8
-    return _lines(whole + numbers * size + pointers + TEXT + 2 * _LINE)
+        pointers = 8 * 8
+        whole = _in_loops(symbols, values, size) + (results + numbers) * size + pointers
+        return _lines(whole + TEXT + 2 * _LINE)
+    angles, rows = _number(values["angle_count"]) * size, _number(values["wide_results"]) * size
+    # Parts of StraightMemory begin on lines of their own: pointers, angles, sines, cosines with
+    # results, rows, places. What is empty takes some bytes all the same.
+    parts = (_SOME, angles, angles, angles + _SOME + results * size, rows + _SOME)
+    whole = sum(max(_LINE, _lines(part)) for part in (*parts, _number(values["places"]) * size))
+    if numbers or values.get("near_lock"):
+        whole += _lines(numbers * size + _SOME)
+    return _lines(whole + 2 * _SOME + TEXT) + _LINE
 
 
 def _lines(size: int) -> int:

@@ -202,6 +202,22 @@ def test_its_memory_is_what_the_head_says(case: str, builder: Builder) -> None:
     run(program)  # no more is asked for than four thirds of what is needed
 
 
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_there_is_memory_for_a_body_and_what_a_scene_wants_of_it(
+    scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    """Without an angle, and with results that fill whole lines: the source tells if it is short."""
+    inertia = '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+    body = f'<link name="body"><inertial><mass value="1"/>{inertia}</inertial></link>'
+    path, scene = tmp_path / "body.urdf", tmp_path / "scene.toml"
+    path.write_text(f'<robot name="body">{body}</robot>')
+    scene.write_text('[outputs]\nreaction_forces = ["__base__"]\ninverse_inertia = ["body"]\n')
+    alone = adagen.read(path, floating=True, scene=scene)
+    asked = {"target": "embedded", "scalar": scalar, "name": "own", "shape": "unrolled"}
+    for runtime in ("", "gravity"):
+        object_of(adagen.compile(alone, runtime=runtime, **asked), builder, tmp_path)
+
+
 @pytest.mark.parametrize(
     ("asked", "said"),
     [
