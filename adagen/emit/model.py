@@ -39,6 +39,7 @@ def model_values(symbols: Symbols) -> dict[str, object]:
         "wanted": [quoted(plan.joints[j].name) for j in plan.wanted],
         "at_rest": plan.at_rest,
         "prescribed": [quoted(joint.name) for joint in plan.joints if joint.prescribed],
+        "following": [quoted(joint.name) for joint in plan.joints if joint.mimic],
     }
 
 

@@ -68,7 +68,7 @@ class Solver {
     if (channel.rank() == 0 && bounds != nullptr)  // none is left over where a process is gone
       std::fill_n(bounds, std::max(0, count), std::numeric_limits<double>::quiet_NaN());
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
-    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    int status = channel.broken() ? channel.no_answer() : kFine;
     if (status == kFine && channel.rank() > 0)
       handout_.help(channel, solve, take_parameters(), status, false);
     else if (status == kFine &&
@@ -83,7 +83,7 @@ class Solver {
   int serve() {
     if (channel.rank() == 0) return kFine;
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
-    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    int status = channel.broken() ? channel.no_answer() : kFine;
     while (status == kFine) handout_.help(channel, solve, take_parameters(), status, true);
     if (failure_kind(status) == kEnded) return kFine;
     text = describe(status);

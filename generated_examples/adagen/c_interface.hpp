@@ -54,7 +54,11 @@ extern "C" {
 int ADAGEN_CALL(joint)(int k, const char** name, int* q, int* nq, int* v, int* nv) {
   if (k < 0 || k >= kJointCount) return 0;
   const JointConstants& joint = kJoints[static_cast<std::size_t>(k)];
-  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
+  if (name != nullptr) *name = joint.name;
+  if (q != nullptr) *q = joint.q;
+  if (nq != nullptr) *nq = joint.nq;
+  if (v != nullptr) *v = joint.v;
+  if (nv != nullptr) *nv = joint.nv;
   return 1;
 }
 
@@ -73,9 +77,10 @@ Handle* ADAGEN_CALL(open_threads)(const int* cores, double time_limit) {
 #elif defined(ADAGEN_MPI)
 Handle* ADAGEN_CALL(open)(MPI_Comm comm, const char* channel, double time_limit) {
 #if defined(ADAGEN_REPRODUCIBLE)
-  if (refused()) return nullptr;
+  return opened<Handle>(comm, channel, time_limit, why_not_reproducible());
+#else
+  return opened<Handle>(comm, channel, time_limit, nullptr);
 #endif
-  return opened<Handle>(comm, channel, time_limit);
 }
 #else
 Handle* ADAGEN_CALL(open)(void) {

@@ -118,7 +118,7 @@ class Channel {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
       const auto is_there = [&] { return slot.number.load(std::memory_order_acquire) >= number; };
-      if (!wait_until(is_there, patient)) fail(status, failure(kNoAnswer, kMessages[k].source));
+      if (!wait_until(is_there, kMessages[k].source, patient)) fail(status, no_answer());
       content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
@@ -143,10 +143,10 @@ class Channel {
       MPI_Test(&request, &flag, &found);
       return flag != 0;
     };
-    const bool in_time = wait_until(is_done, patient);
+    const bool in_time = wait_until(is_done, peer, patient);
     if (in_time) return done(found);
     give_up(request);
-    fail(status, failure(kNoAnswer, peer));
+    fail(status, no_answer());
   }
   void wait(MPI_Request& request, int peer, int& status) {
     wait(request, peer, status, [](const MPI_Status&) {});
@@ -171,7 +171,9 @@ class Channel {
 
   MPI_Comm comm() const { return comm_; }
   int rank() const { return rank_; }
-  bool broken() const { return broken_; }
+  // Whether a process did not answer in time, now or before, and the failure that this is.
+  bool broken() const { return lost_ >= 0; }
+  int no_answer() const { return failure(kNoAnswer, lost_); }
   bool windowed() const { return window_ != MPI_WIN_NULL; }
   bool on_one_host() const { return on_one_host_; }
   const char* name() const { return name_; }
@@ -286,12 +288,12 @@ class Channel {
   // Spins briefly, then yields, so that more processes than cores still finish. Who waits without
   // limit sleeps between looks once it has waited for long.
   template <class Ready>
-  bool wait_until(Ready ready, bool patient) {
+  bool wait_until(Ready ready, int peer, bool patient) {
     for (int k = 0; k < 4000; ++k) {
       if (ready()) return true;
       relax();
     }
-    if (broken_) return false;  // a peer is gone: do not wait for it once more
+    if (broken()) return false;  // a peer is gone: do not wait for it once more
     Waited waited(patient ? Clock::duration(kPatience) : time_limit_);
     while (!ready()) {
       std::this_thread::yield();
@@ -299,7 +301,7 @@ class Channel {
       if (patient) {
         std::this_thread::sleep_for(std::chrono::microseconds(50));
       } else {
-        broken_ = true;
+        lost_ = peer;
         return false;
       }
     }
@@ -310,7 +312,8 @@ class Channel {
   MPI_Win window_ = MPI_WIN_NULL;
   int rank_ = 0;
   Clock::duration time_limit_{};
-  bool broken_ = false, on_one_host_ = true;
+  int lost_ = -1;  // the first process that did not answer in time
+  bool on_one_host_ = true;
   Take* take_ = nullptr;
   const char* name_ = "message";
   std::vector<Port> ports_;

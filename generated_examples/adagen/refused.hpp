@@ -7,7 +7,7 @@
 namespace {
 
 // Whether this environment would change answers: open_failure says why.
-bool refused() {
+[[maybe_unused]] bool refused() {
   const char* const why = why_not_reproducible();
   open_failure.clear();
   if (why != nullptr) open_failure += why;

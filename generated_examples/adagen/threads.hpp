@@ -64,7 +64,7 @@ class Solver : public InPlace {
     if (!pinned_) leave_callers_core();
     for (int p = 1; p < kProcesses; ++p) {
       if (!has_part(p)) continue;
-      if (!channel.wait_for(members_[at(p)].done, 1))
+      if (!channel.wait_for(members_[at(p)].done, 1, p))
         return Text("a thread did not start within the time limit");
       if (!members_[at(p)].ready) return Text("not enough memory");
     }
@@ -80,7 +80,7 @@ class Solver : public InPlace {
   }
 
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    if (channel.broken()) return finish(channel.no_answer());
     if constexpr (!kAlone) {
       std::copy_n(q, kNq, q_.data());
       std::copy_n(v, kNv, v_.data());
@@ -90,7 +90,7 @@ class Solver : public InPlace {
     int status = InPlace::solve(q, v, tau, kAlone ? qdd : qdd_.data());
     for (int p = 1; p < kProcesses; ++p) {
       if (!has_part(p)) continue;
-      if (!channel.wait_for(members_[at(p)].done, number)) return finish(failure(kNoAnswer, p));
+      if (!channel.wait_for(members_[at(p)].done, number, p)) return finish(channel.no_answer());
       Channel::fail(status, members_[at(p)].status);
     }
     if (!kAlone && status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);

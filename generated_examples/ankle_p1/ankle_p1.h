@@ -56,7 +56,8 @@ extern "C" {
 #endif
 typedef struct ankle_p1_solver ankle_p1_solver;
 
-// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
+// Gives name, first index and size in q and v of joint k; pointers may be null. Returns 0 if there is
+// no joint k.
 int ankle_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
@@ -64,7 +65,8 @@ int ankle_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 ankle_p1_solver* ankle_p1_open(void);
 
 // One evaluation. q: 14 numbers, v and tau: 12 each, qdd: 12; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// x y z w (normalised here), floating joints [linear; angular] in the body's frame; arrays do not
+// overlap.
 // Returns 0, or a status that ankle_p1_failure explains; then no acceleration is written.
 int ankle_p1_solve(ankle_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 

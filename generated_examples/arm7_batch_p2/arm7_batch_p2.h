@@ -63,18 +63,21 @@ extern "C" {
 #endif
 typedef struct arm7_batch_p2_solver arm7_batch_p2_solver;
 
-// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
+// Gives name, first index and size in q and v of joint k; pointers may be null. Returns 0 if there is
+// no joint k.
 int arm7_batch_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
-// arm7_batch_p2_failure(NULL) gives the reason.
+// "message", the same on all; time_limit: seconds that a process waits for another; if one does not
+// answer, no later call is answered. Close it before MPI_Finalize. Returns null on failure, on all
+// processes; arm7_batch_p2_failure(NULL) gives the reason.
 arm7_batch_p2_solver* arm7_batch_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // Accelerations of count states, each process on its own, one state after the other: 9 numbers of q, 9
 // of v and tau, 9 of qdd; joints in order, quaternions x y z w (normalised here), floating joints [linear;
-// angular] in the body's frame. Returns 0, or a status that arm7_batch_p2_failure explains:
-// accelerations of states that cannot be solved are NaN; all other states are solved.
+// angular] in the body's frame; arrays do not overlap. Returns 0, or a status that
+// arm7_batch_p2_failure explains: accelerations of states that cannot be solved are NaN; all other
+// states are solved.
 int arm7_batch_p2_solve_batch(arm7_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
 // The same, collective: process 0 passes all states and gets all accelerations and failures; the
@@ -82,7 +85,7 @@ int arm7_batch_p2_solve_batch(arm7_batch_p2_solver* solver, int count, const dou
 int arm7_batch_p2_solve_batch_at_root(arm7_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
 // Index of the k-th state that the last call could not solve, k from 0; -1 if there are fewer, or
-// from k = 256 on. arm7_batch_p2_failure then gives the reason.
+// from k = 256 on. arm7_batch_p2_failure then gives the reason, and counts states from 1.
 int arm7_batch_p2_failed_state(arm7_batch_p2_solver* solver, int k);
 
 // For all processes but 0: joins every solve_batch_at_root of process 0, and waits between them without a

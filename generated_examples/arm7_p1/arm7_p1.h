@@ -58,7 +58,8 @@ extern "C" {
 #endif
 typedef struct arm7_p1_solver arm7_p1_solver;
 
-// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
+// Gives name, first index and size in q and v of joint k; pointers may be null. Returns 0 if there is
+// no joint k.
 int arm7_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
@@ -66,7 +67,8 @@ int arm7_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 arm7_p1_solver* arm7_p1_open(void);
 
 // One evaluation. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// x y z w (normalised here), floating joints [linear; angular] in the body's frame; arrays do not
+// overlap.
 // Returns 0, or a status that arm7_p1_failure explains; then no acceleration is written.
 int arm7_p1_solve(arm7_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 

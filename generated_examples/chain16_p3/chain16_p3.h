@@ -77,16 +77,19 @@ extern "C" {
 #endif
 typedef struct chain16_p3_solver chain16_p3_solver;
 
-// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
+// Gives name, first index and size in q and v of joint k; pointers may be null. Returns 0 if there is
+// no joint k.
 int chain16_p3_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 3 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
-// chain16_p3_failure(NULL) gives the reason.
+// "message", the same on all; time_limit: seconds that a process waits for another; if one does not
+// answer, no later call is answered. Close it before MPI_Finalize. Returns null on failure, on all
+// processes; chain16_p3_failure(NULL) gives the reason.
 chain16_p3_solver* chain16_p3_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 16 numbers, v and tau: 16 each, qdd: 16; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// x y z w (normalised here), floating joints [linear; angular] in the body's frame; arrays do not
+// overlap.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
 // solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
 // Returns 0, or a status that chain16_p3_failure explains; then no acceleration is written.

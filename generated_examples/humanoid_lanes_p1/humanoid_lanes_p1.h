@@ -100,7 +100,8 @@ extern "C" {
 #endif
 typedef struct humanoid_lanes_p1_solver humanoid_lanes_p1_solver;
 
-// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
+// Gives name, first index and size in q and v of joint k; pointers may be null. Returns 0 if there is
+// no joint k.
 int humanoid_lanes_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
@@ -108,7 +109,8 @@ int humanoid_lanes_p1_joint(int k, const char** name, int* q, int* nq, int* v, i
 humanoid_lanes_p1_solver* humanoid_lanes_p1_open(void);
 
 // One evaluation. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// x y z w (normalised here), floating joints [linear; angular] in the body's frame; arrays do not
+// overlap.
 // Returns 0, or a status that humanoid_lanes_p1_failure explains; then no acceleration is written.
 int humanoid_lanes_p1_solve(humanoid_lanes_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 

@@ -9,6 +9,7 @@ import pytest
 
 from adagen.states import States, random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, truth_of
+from tests.end_to_end.test_library import filled
 from tests.golden.examples import EXAMPLES, FOLDER
 
 STEMS = ("arm7_p2", "mobile_p1")
@@ -110,3 +111,28 @@ def test_a_failure_is_told_in_words_writes_nothing_and_passes(facts: Facts) -> N
         assert " ".join(facts[stem, "failure", 0][0]) == says
         assert set(facts[stem, "spoilt", 0][0]) == {"-"}
         assert facts[stem, "after", 0][0] == facts[stem, "root", 0][0]
+
+
+def test_what_one_process_cannot_open_no_process_waits_for(builder: Builder) -> None:
+    """A communicator that is none ends no program; who was late is named in later calls, too."""
+    part = str(builder.object_file(source("arm7_p2"), "arm7_p2"))
+    flags = (*QUICK, f"-I{FOLDER / 'arm7_p2'}", part)
+    done = Solver(builder.compile(filled("opening.cpp", "arm7_p2"), "opening", flags), 2,
+                  builder.toolchain).run(timeout=60)  # fmt: skip
+    assert (done.status, done.stderr) == (0, "")
+    other = "process {} of the communicator cannot open it, and says why"
+    told = {
+        "null": ["the communicator is MPI_COMM_NULL"] * 2,
+        "between": ["the communicator is an intercommunicator"] * 2,
+        "channels": ["processes name different channels"] * 2,
+        "word": ["channel takes auto, window or message, not pigeon", other.format(0)],
+        "limit": [other.format(1), "the time limit must be more than 0 s"],
+        "after": ["MPI is finalised already: open solvers before MPI_Finalize"] * 2,
+    }
+    lines = done.stdout.splitlines()
+    for what, why in told.items():
+        assert [f"{what} {k} 1: {why[k]}" for k in (0, 1)] == sorted(
+            line for line in lines if line.startswith(f"{what} ")
+        )
+    assert lines.count("joint 1") == 2
+    assert lines.count("late 1: process 1 did not answer within the time limit") == 2

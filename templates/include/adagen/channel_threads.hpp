@@ -64,23 +64,23 @@ class Channel {
   const Number* receive(int k, int& status) {
     const std::uint64_t number = ++counts_[at(k)];
     auto& [place, content] = slot(k, number);
-    if (!wait_for(place, number)) fail(status, failure(kNoAnswer, kMessages[at(k)].source));
+    if (!wait_for(place, number, kMessages[at(k)].source)) fail(status, no_answer());
     if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
     return content.data() + 1;
   }
 
   // Waits until a number is reached: spins briefly, then yields, so that more threads than cores
   // still finish. Whether it was in time.
-  bool wait_for(const std::atomic<std::uint64_t>& place, std::uint64_t number) {
+  bool wait_for(const std::atomic<std::uint64_t>& place, std::uint64_t number, int process) {
     for (int k = 0; k < 4000; ++k) {
       if (place.load(std::memory_order_acquire) >= number) return true;
       relax();
     }
-    if (broken_) return false;  // a thread is late already: do not wait for it once more
+    if (broken()) return false;  // a thread is late already: do not wait for it once more
     Waited waited(time_limit_);
     while (place.load(std::memory_order_acquire) < number) {
       std::this_thread::yield();
-      if (waited.too_long()) return broken_ = true, false;
+      if (waited.too_long()) return lost_ = process, false;
     }
     return true;
   }
@@ -90,7 +90,9 @@ class Channel {
   }
 
   int rank() const { return rank_; }
-  bool broken() const { return broken_; }
+  // Whether a thread did not answer in time, now or before, and the failure that this is.
+  bool broken() const { return lost_ >= 0; }
+  int no_answer() const { return failure(kNoAnswer, lost_); }
   static constexpr bool windowed() { return false; }
   static constexpr const char* name() { return "threads"; }
 
@@ -101,7 +103,7 @@ class Channel {
   int rank_ = 0;
   Slots* slots_ = nullptr;
   std::chrono::nanoseconds time_limit_{};
-  bool broken_ = false;
+  int lost_ = -1;  // the process of the first thread that did not answer in time
   std::array<std::uint64_t, kMessages.size()> counts_{};
 };
 

@@ -27,7 +27,7 @@ class InPlace {
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);
-    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    if (channel.broken()) return finish(channel.no_answer());
     prepare(q, v, tau, qdd);
     run();
     return finish(w.status);

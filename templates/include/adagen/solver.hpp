@@ -37,7 +37,7 @@ class Solver : public InPlace {
   // Everything through process 0: it has the state and gets all accelerations.
   int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if constexpr (kAlone) return solve(q, v, tau, qdd);
-    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    if (channel.broken()) return finish(channel.no_answer());
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
   }
 
@@ -53,7 +53,7 @@ class Solver : public InPlace {
     if (rank == 0) return kFine;
     int status = kFine;
     if (has_part(rank)) do
-        status = channel.broken() ? failure(kNoAnswer, 0) : solve_for_root(true);
+        status = channel.broken() ? channel.no_answer() : solve_for_root(true);
       while (failure_kind(status) != kEnded && failure_kind(status) != kNoAnswer);
     else
       channel.await_end();
