@@ -162,7 +162,9 @@ double ADAGEN_CALL(error_bound)(const Handle* solver) { return error_bound(solve
 
 #if defined(ADAGEN_REFINES)
 double ADAGEN_CALL(correction)(const Handle* solver, int k) {
-  if (k < 0 || k >= kRefine) return std::numeric_limits<double>::quiet_NaN();
+  const Failure how = failure_kind(solver->w.status);
+  const bool corrected = how == kFine || how == kNotRefined || how == kTooFewSteps;
+  if (k < 0 || k >= kRefine || !corrected) return std::numeric_limits<double>::quiet_NaN();
   return solver->w.refinement.corrections[static_cast<std::size_t>(k)];
 }
 #endif

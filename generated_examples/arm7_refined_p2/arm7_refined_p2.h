@@ -90,7 +90,8 @@ int arm7_refined_p2_serve(arm7_refined_p2_solver* solver);
 int arm7_refined_p2_end(arm7_refined_p2_solver* solver);
 
 // The size of the k-th correction (0) of the last evaluation, relative to the answer in the energy
-// norm sqrt(e^T H e / t^T H t): an estimate of the error before it. On processes that own joints.
+// norm sqrt(e^T H e / t^T H t): an estimate of the error before it, on processes that own joints.
+// NaN if the evaluation failed before it.
 double arm7_refined_p2_correction(const arm7_refined_p2_solver* solver, int k);
 
 // Reason of a status, and the joint that it is about, -1 for none.

@@ -171,6 +171,31 @@ def test_nothing_is_taken_from_the_heap_once_a_solver_is_open(name: str, builder
     assert run(program) == "opened 1, failed 1, said 1, later 0\n"
 
 
+@pytest.mark.slow
+def test_what_failed_has_no_correction(builder: Builder) -> None:
+    """Zero would say that there was nothing to correct."""
+    plan, _ = PLANS["kernels"]
+    files = emit(plan, name="refined", refine=1, shape="kernels")
+    probe = """
+int main() {
+  std::vector<Number> q(kNq, Number(0.3)), v(kNv, Number(0.2)), tau(kNtau), qdd(kNv);
+  auto* const solver = refined_p1_open();
+  const auto told = [&] {
+    const int status = refined_p1_solve(solver, q.data(), v.data(), tau.data(), qdd.data());
+    const double size = refined_p1_correction(solver, 0);
+    std::printf("%d %d\\n", status == 0, size > 0 ? 1 : size == size ? 0 : -1);
+  };
+  told();
+  v[0] = std::numeric_limits<Number>::infinity();
+  told();
+  refined_p1_close(solver);
+}
+"""
+    head = "#define ADAGEN_NO_MAIN\n#include <cstdio>\n#include <limits>\n#include <vector>\n"
+    program = builder.compile(f"{head}{files['refined_p1.cpp']}{probe}", "refined", QUICK)
+    assert run(program) == "1 1\n0 -1\n"
+
+
 class TestWorkers:
     """Programs on several processes: all but the first serve, until that ends it."""
 
