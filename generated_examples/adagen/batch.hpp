@@ -68,13 +68,16 @@ class Solver {
     if (channel.rank() == 0 && bounds != nullptr)  // none is left over where a process is gone
       std::fill_n(bounds, std::max(0, count), std::numeric_limits<double>::quiet_NaN());
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
+    const Batch batch{count, q, v, tau, qdd, bounds};
     int status = channel.broken() ? channel.no_answer() : kFine;
-    if (status == kFine && channel.rank() > 0)
-      handout_.help(channel, solve, take_parameters(), status, false);
-    else if (status == kFine &&
-             !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd, bounds}, workspace(0),
-                                solve, status))
-      return name_failures(count, q, v, tau, qdd);
+    if (channel.rank() > 0) {
+      if (status == kFine) handout_.help(channel, solve, take_parameters(), status, false);
+    } else if (status != kFine) {
+      Handout::lose_all(batch);
+    } else {
+      const bool good = handout_.hand_out(channel, helpers, batch, workspace(0), solve, status);
+      if (status == kFine && !good) return name_failures(count, q, v, tau, qdd);
+    }
     if (status != kFine) text = describe(status);
     return status;
   }

@@ -21,6 +21,7 @@ class Handout {
   static bool hand_out(Channel&, int, const Batch&, const Workspace&, Solve, int&) {
     return true;
   }
+  static void lose_all(const Batch&) {}
   static void end(Channel&, int&) {}
   template <class Solve, class Take>
   static void help(Channel&, Solve, Take, int&, bool) {}

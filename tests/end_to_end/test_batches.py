@@ -32,12 +32,14 @@ SIZES = (0, 1, 7, 8, 9, 16, 17, 63, 64, 65, 1000, 5003)
 SPOILT = ((1, 0), (9, 8), (64, 0, 7, 8, 63), (1003, 5, 500, 1002), (16, *range(16)))
 
 
-def _program(builder: Builder, stem: str, folder: Path, processes: int, *more: str) -> Solver:
+def _program(
+    builder: Builder, stem: str, folder: Path, processes: int, *more: str, name: str = "batches"
+) -> Solver:
     """The program around a solver whose source and header are in a folder."""
     object_file = builder.object_file((folder / f"{stem}.cpp").read_text(), stem)
-    text = filled("batches.cpp", stem)
+    text = filled(f"{name}.cpp", stem)
     flags = (*QUICK, *more, f"-I{folder}", str(object_file))
-    return Solver(builder.compile(text, "batches", flags), processes, builder.toolchain)
+    return Solver(builder.compile(text, name, flags), processes, builder.toolchain)
 
 
 def _said(program: Solver, folder: Path) -> list[str]:
@@ -106,6 +108,14 @@ def test_every_state_has_the_bound_that_it_has_alone_whoever_solves_it(
             assert f"{who} {size}: fine;; same" in said
         for size, *bad in SPOILT:
             assert _named(who, joint, size, bad) in said
+
+
+def test_what_a_late_process_owes_is_no_number(builder: Builder) -> None:
+    """Nothing is left of what was there before the call; in later calls nothing is answered."""
+    done = _program(builder, STEM, FOLDER / STEM, 2, name="late_batch").run(timeout=60)
+    assert (done.status, done.stderr) == (0, "")
+    told = "process 1 did not answer within the time limit"
+    assert done.stdout.splitlines() == [f"1 0 1 1 -1: {told}"] * 2
 
 
 def test_the_other_processes_do_not_hear_of_bad_states(said: list[str]) -> None:

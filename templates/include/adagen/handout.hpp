@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "channel.hpp"
 #include "kernels/lanes.hpp"
@@ -34,7 +35,7 @@ struct Batch {
 class Handout {
  public:
   // At process 0. Returns whether all states could be solved; that a process is gone joins the
-  // status.
+  // status, and what it owes is not a number.
   template <class Solve>
   bool hand_out(Channel& channel, int helpers, const Batch& batch, const Workspace& w, Solve solve,
                 int& status) {
@@ -58,11 +59,18 @@ class Handout {
       const int first = take();
       if (first < next) good &= solve_in_place(batch, first, next - first, solve);
     }
+    lose(batch, next, batch.count - next);
     for (int p = 1; p < kProcesses; ++p) {
       Helper& helper = helpers_[static_cast<std::size_t>(p - 1)];
-      for (; helper.busy > 0; helper.drop_oldest())
-        channel.wait(helper.oldest().answered, p, status,
-                     [&](const MPI_Status& s) { good &= s.MPI_TAG == kSolved; });
+      for (; helper.busy > 0; helper.drop_oldest()) {
+        Given& oldest = helper.oldest();
+        bool answered = false;
+        channel.wait(oldest.answered, p, status, [&](const MPI_Status& s) {
+          good &= s.MPI_TAG == kSolved;
+          answered = true;
+        });
+        if (!answered) lose(batch, oldest.first, oldest.count);
+      }
       for (Given& given : helper.given) {
         channel.wait(given.sent, p, status);
         MPI_Isend(nullptr, 0, kMpiNumber, p, kStates, channel.comm(), &given.sent);
@@ -73,6 +81,9 @@ class Handout {
         channel.wait(given.sent, p, status);
     return good;
   }
+
+  // At process 0, where a process has been gone for long.
+  static void lose_all(const Batch& batch) { lose(batch, 0, batch.count); }
 
   // At process 0: the others' help is over, and so is what they do it for.
   void end(Channel& channel, int& status) {
@@ -131,6 +142,7 @@ class Handout {
   // A piece at process 0, which another solves, and at that one.
   struct Given {
     MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
+    int first = 0, count = 0;
   };
   struct Taken {
     std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
@@ -170,6 +182,7 @@ class Handout {
   void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
             int& status) {
     const long row = first;
+    given.first = first, given.count = count;
     channel.wait(given.sent, p, status);
     as_one<4>({{{batch.q + row * kNq, count * kNq, kMpiNumber},
                 {batch.v + row * kNv, count * kNv, kMpiNumber},
@@ -220,6 +233,13 @@ class Handout {
 
   static double* bounds_from(const Batch& batch, long row) {
     return batch.bounds == nullptr ? nullptr : batch.bounds + row;
+  }
+
+  // Accelerations that nobody has found: what was there before is no answer.
+  static void lose(const Batch& batch, int first, int count) {
+    const long row = first;
+    std::fill_n(batch.qdd + row * kNqdd, static_cast<long>(std::max(0, count)) * kNqdd,
+                std::numeric_limits<Number>::quiet_NaN());
   }
 
   template <class Solve>
