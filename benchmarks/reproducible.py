@@ -2,8 +2,9 @@
 
 Each robot's solver on one process as it is emitted by itself, as a straight line, as the same that
 fuses no products with sums, and reproducible; of single states and of batches, by turns, so that a
-noisy minute hits all alike. A robot whose
-links do not hang on the ground is named as FILE:floating.
+noisy minute hits all alike. A robot whose links do not hang on the ground is named as
+FILE:floating, one with a scene (closed loops, for example) as FILE:SCENE.toml, and one with
+constants that are set at run time as FILE:runtime=WORDS.
 --page writes docs/records/reproducible.md.
 """
 
@@ -30,11 +31,11 @@ WAYS: dict[str, dict[str, object]] = {
 """What is compared, and how it is asked for."""
 
 
-def contestants(robot: adagen.Robot, *, batch: bool) -> list[Contestant]:
+def contestants(robot: adagen.Robot, runtime: str, *, batch: bool) -> list[Contestant]:
     """Return a robot's solvers on one process, compiled."""
     found = []
     for name, asked in WAYS.items():
-        made = adagen.compile(robot, batch=batch, **asked)
+        made = adagen.compile(robot, batch=batch, runtime=runtime, **asked)
         toolchain = find_toolchain()
         if name == UNFUSED:
             toolchain = replace(toolchain, flags=(*toolchain.flags, "-ffp-contract=off"))
@@ -53,19 +54,24 @@ def row(name: str, freedoms: int, what: str, times: dict[str, Times]) -> tuple[s
 def main() -> None:
     """Measure, and print or write what came of it."""
     parser = command(__doc__, "records/reproducible.md")
-    parser.add_argument("urdf", nargs="+", help="robots, FILE or FILE:floating")
+    parser.add_argument(
+        "urdf", nargs="+", help="robots, FILE[:floating][:SCENE.toml][:runtime=WORDS]"
+    )
     parser.add_argument("--rounds", type=int, default=7)
     options = parser.parse_args()
     before, rows = machine(), []
     for word in options.urdf:
-        path, _, how = word.partition(":")
-        robot = adagen.read(path, floating=how == "floating")
+        path, *how = word.split(":")
+        scene = next((each for each in how if each.endswith(".toml")), None)
+        runtime = next((x.removeprefix("runtime=") for x in how if x.startswith("runtime=")), "")
+        robot = adagen.read(path, floating="floating" in how, scene=scene)
         for what, batch in (("a state", False), ("a batch", True)):
             tell(f"compiling {path}, {what}")
-            own = contestants(robot, batch=batch)
+            own = contestants(robot, runtime, batch=batch)
             times = by_turns(own, options.rounds, repeat=15 if batch else 300)
             found = {one.name: times[one.name]["in_place"] for one in own}
-            rows.append(row(Path(path).stem, robot.nv, what, found))
+            name = ", ".join([Path(path).stem, *how[: bool(runtime)]])
+            rows.append(row(name, robot.nv, what, found))
             tell(", ".join(rows[-1]))
     figures = ("fastest, ns", "straight line, ns", "nothing fused, ns", "reproducible, ns")
     beside = ("beside nothing fused", "beside the line", "beside the fastest")

@@ -4,7 +4,9 @@ Each robot's solver on 1, 2 and 4 threads, with limbs side by side and one by on
 each compiled by g++ and by clang++ for x86-64, x86-64-v3 and x86-64-v4, and run on the same states:
 ordinary ones, one with angles of a million turns, and one with angles of 1e21. Answers are compared
 as they are written, to the last bit. A robot whose links do not hang on the ground is named as
-FILE:floating, one in float as FILE:float. --page writes docs/records/reproducible.md.
+FILE:floating, one in float as FILE:float, one with a scene as FILE:SCENE.toml. Of robots with
+closed loops, states are closed, and processes have the layout that is predicted to be fastest.
+--page writes docs/records/reproducible.md.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ from pathlib import Path
 
 import numpy as np
 
+import adagen
 from adagen.build import build_executable, find_toolchain
 from adagen.build.toolchain import STANDARD, Toolchain, with_compiler
 from adagen.emit import emit, stem_of
@@ -28,10 +31,13 @@ from adagen.model import Model
 from adagen.plan import Plan
 from adagen.plan.constants import joints_of
 from adagen.plan.types import THREADS
+from adagen.reference.closed import closed_states
 from adagen.run import launch
-from adagen.states import random_states, write_states
+from adagen.schedule import load_profile
+from adagen.schedule.tree import Gathered
+from adagen.search.base_gathering import reproducible_schedule
+from adagen.states import States, random_states, write_states
 from adagen.studies.bench.report import table
-from adagen.urdf import read_robot
 from benchmarks.page import command, publish
 from benchmarks.solvers import tell
 from tests.gathered import distributed, reproducible_plan
@@ -72,16 +78,31 @@ def sources(model: Model, scalar: str) -> Iterator[Source]:
     for processes in (1, 2, 4):
         plan = alone
         if processes > 1:
-            shares = distributed(model, processes, np.random.default_rng(processes))
+            shares = layout(model, processes)
+            if shares is None:
+                continue
             plan = replace(reproducible_plan(model, shares, scalar=scalar), channel=THREADS)
         for k, grouping in enumerate(groupings(plan)):
             yield made(plan, f"P = {processes}, {'lanes' if k else 'no lanes'}", limbs=grouping)
 
 
+def layout(model: Model, processes: int) -> Gathered | None:
+    """Return limbs given to processes at random; closures as is fastest, None where one has all."""
+    if model.closed:
+        return reproducible_schedule(model, processes, load_profile("default")).gathered
+    return distributed(model, processes, np.random.default_rng(processes))
+
+
 def write_spread(model: Model, path: Path) -> int:
-    """Write 12 states, two of them with angles that are large, and return how many."""
+    """Write 12 states, two of them with angles that are large, and return how many.
+
+    Of robots with closed loops, they are closed ones.
+    """
     states = random_states(model, 12, seed=2)
-    for joint in joints_of(model):
+    if model.closed:
+        q, v = closed_states(model, 12, starts=240)
+        states = States(q, v, states.tau[: len(q)])
+    for joint in () if model.closed else joints_of(model):
         if joint.kind == "revolute":
             states.q[-2, joint.q] *= 3.1e6
             states.q[-1, joint.q] *= 2.7e21
@@ -126,7 +147,7 @@ def ways() -> list[tuple[str, Toolchain]]:
 def main() -> None:
     """Build and run all, and print or write what came of it."""
     parser = command(__doc__, "records/reproducible.md")
-    parser.add_argument("urdf", nargs="+", help="robots, FILE[:floating][:float]")
+    parser.add_argument("urdf", nargs="+", help="robots, FILE[:floating][:float][:SCENE.toml]")
     options = parser.parse_args()
     toolchains = ways()
     rows: list[tuple[object, ...]] = []
@@ -134,7 +155,8 @@ def main() -> None:
     for word in options.urdf:
         path, *how = word.split(":")
         scalar = "float" if "float" in how else "double"
-        model = read_robot(path, floating="floating" in how).model
+        scene = next((each for each in how if each.endswith(".toml")), None)
+        model = adagen.read(path, floating="floating" in how, scene=scene).model
         found = list(sources(model, scalar))
         with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
             given = Path(folder, "states.json")

@@ -76,9 +76,10 @@ class Elimination:
             self._follow()
         if step.link:
             tops = [lane.link for lane in self.lanes]
-            count = len(dict.fromkeys(lane.closure for lane in self.lanes))
+            closures = tuple(dict.fromkeys(lane.closure for lane in self.lanes))
             for name, value in self.front.passed.items():
-                self.state.rows.add(name, tops, count, value)
+                self.state.eliminated[name, closures] = value
+                self.state.rows.add(name, tops, len(closures), value)
 
     # -- the closure's function -------------------------------------------------------------------
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from typing import Any
 
 from adagen.executor.grouping import least_of, offered_groupings
 from adagen.executor.lane_frames import aligned
@@ -61,7 +62,8 @@ class Line:
         line. What processes send each other is computed by itself.
         """
         kept = {x.index for x in self.machine.roots()}
-        kept |= {index for own in self.passed.values() for index, _ in own}
+        handed = (*self.passed.values(), *self.eliminated.values())
+        kept |= {index for own in handed for index, _ in own}
         fused = with_fused(self.nodes, alive, kept)
         return [fused.get(index, node) for index, node in enumerate(self.nodes)]
 
@@ -105,10 +107,24 @@ class Line:
     @cached_property
     def passed(self) -> dict[int, list[Pair]]:
         """The contribution of each joint to its near link, without constants."""
+        rows = self.machine.rows
+        return self._handed(
+            (rows.own(lead), value) for (_, lead), value in self.machine.passed.items()
+        )
+
+    @cached_property
+    def eliminated(self) -> dict[int, list[Pair]]:
+        """The contribution of each closure to its top, likewise."""
+        return self._handed(
+            (numbers, value) for (_, numbers), value in self.machine.eliminated.items()
+        )
+
+    def _handed(self, values: Iterable[tuple[Sequence[int], Any]]) -> dict[int, list[Pair]]:
+        """The numbers of values by who hands them, one in each lane."""
         found: dict[int, list[Pair]] = {}
-        for (_, lead), value in self.machine.passed.items():
-            for k, j in enumerate(self.machine.rows.own(lead)):
-                own = found.setdefault(j, [])
+        for lanes, value in values:
+            for k, who in enumerate(lanes):
+                own = found.setdefault(who, [])
                 own += [self.pair_of(x, k) for x in value.flat if x.constant is None]
         return found
 

@@ -17,7 +17,7 @@ from adagen.executor.run import Simulated
 from adagen.executor.shared_lanes import shared_lanes
 from adagen.graph import Expression, Node, RoundedGraph
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Receive, StartEmpty, StartLink, Step
+from adagen.plan.steps import Receive, Send, StartEmpty, StartLink, Step
 
 
 class WaitingLanesError(Exception):
@@ -156,8 +156,9 @@ class _Copy:
     # -- messages ---------------------------------------------------------------------------------
 
     def _send(self) -> None:
+        told = {step.message for step in self.want.own.steps_of(Send)}
         for number, message in enumerate(self.want.plan.messages):
-            if message.source == self.want.process:
+            if number in told:
                 wanted = self.want.sends.get(message.target, {})
                 self.machine.sent[number] = [
                     self._told(pair)

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from adagen.executor.line import Line, Looked, Pair
 from adagen.model.kinds import KINDS
-from adagen.plan.steps import Articulate, HoldBack, LinkBias, StartLink
+from adagen.plan.steps import Articulate, HoldBack, LinkBias, Send, StartLink
 from adagen.plan.types import Plan, Process
 
 
@@ -39,7 +39,8 @@ class NeededValues:
             for pair, sender in senders.items()
             if sender.process != p and pair not in alone
         }
-        for pair, entry in line.torques():
+        exchange = any(plan.steps_of(Send))
+        for pair, entry in line.torques() if exchange else ():
             readers = _readers(plan, entry)
             if pair not in self._others and all(reader.process != p for reader in readers):
                 self._others[pair] = readers[0]

@@ -23,6 +23,7 @@ class ProcessMemory:
         memory: values by the names that steps give them.
         columns: right-hand sides: the motion, and one for each slaved joint.
         passed: what joints hand inwards, "IA" or "pA", by name and joint.
+        eliminated: what closures hand to their tops, by name and their numbers, one for each lane.
     """
 
     def __init__(self, plan: Plan, graph: Graph | Numbers | None = None) -> None:
@@ -31,6 +32,7 @@ class ProcessMemory:
         self.memory: dict[Any, Any] = self._empty_memory()
         self.columns = plan.right_hand_sides
         self.passed: dict[tuple[str, int], Array] = {}
+        self.eliminated: dict[tuple[str, tuple[int, ...]], Array] = {}
         self._constants: dict[float, Any] = {}
 
     def _empty_memory(self) -> dict[Any, Any]:

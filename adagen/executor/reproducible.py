@@ -23,6 +23,7 @@ from adagen.executor.run import Simulated
 from adagen.plan.edges import is_free_base
 from adagen.plan.shared_line import serial_plan
 from adagen.plan.simd_groups import Limbs
+from adagen.plan.steps import Eliminate, Send
 from adagen.plan.types import Plan
 
 
@@ -79,8 +80,11 @@ def shared_line(plan: Plan, grouping: Grouping | None = None) -> tuple[Simulated
 def _senders(plan: Plan, line: Line) -> dict[Pair, Sender]:
     """Values that one process alone can compute of a core link, and its sender.
 
-    It is what its limbs hand to the core, and sums of that.
+    It is what its limbs and closures hand to the core, and sums of that. Where nobody sends
+    anything, each computes everything for itself.
     """
+    if not any(plan.steps_of(Send)):
+        return {}
     core = _core(plan) | {j for j, joint in enumerate(plan.joints) if is_free_base(joint)}
     found = {
         pair: Sender(p, plan.joints[j].parent)
@@ -89,6 +93,11 @@ def _senders(plan: Plan, line: Line) -> dict[Pair, Sender]:
         if plan.joints[j].parent - 1 in core and j not in core
         for pair in line.passed.get(j, [])
     }
+    for p, process in enumerate(plan.processes):
+        for step in process.steps_of(Eliminate):
+            if step.link - 1 in core:
+                own = line.eliminated.get(step.closure, [])
+                found.update((pair, Sender(p, step.link)) for pair in own)
     for pair in line.sums():
         first, second = (found.get(line.unpacked(each)) for each in line.operands(pair))
         if first is not None and first == second:

@@ -105,8 +105,10 @@ def make_plan(
         reproducible=reproducible,
     )
     if reproducible:
-        gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None
-        check_reproducible(plan, gathered)
+        gathers = isinstance(planner, GatherPlanner | ClosedPlanner)
+        check_reproducible(plan, planner.gathered() if gathers else None)
+        if isinstance(planner, ClosedPlanner) and plan.several:
+            plan = replace(plan, line=planner.line())
     return plan
 
 

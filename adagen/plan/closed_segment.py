@@ -95,6 +95,10 @@ class ClosedPlanner(AdaPlanner):
         """Return the layout of gathering processes; None where one process has everything."""
         return self.schedule.gathered
 
+    def line(self) -> tuple[Step, ...]:
+        """Return the steps of one process, whose straight line several processes may share."""
+        return tuple(self._steps(self._ways()[0]))
+
     def _ways(self) -> list[ClosureElimination]:
         """Eliminations to try: the cheapest, then all closures' first choices, second, ..."""
         most = max((len(one.choices) for one in self.closures), default=1)

@@ -23,6 +23,8 @@ def plan_to_json(plan: Plan) -> str:
         value = getattr(plan, field.name)
         if field.name == "processes":
             lines.append(f'"processes": [\n{_processes(plan)}\n]')
+        elif field.name == "line":
+            lines.append(f'"line": {_steps(value)}')
         elif field.name in (
             "links",
             "joints",

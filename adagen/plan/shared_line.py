@@ -22,7 +22,7 @@ from adagen.plan.steps import (
     SolveRoot,
     StartLink,
 )
-from adagen.plan.types import Plan
+from adagen.plan.types import Plan, Process
 from adagen.schedule.tree import Gathered
 
 
@@ -38,10 +38,20 @@ def serial_plan(plan: Plan) -> Plan:
         process = of_one.process_of(evaluation)
         if plan.certified:
             process = replace(process, steps=(*process.steps, Certify()))
+    elif plan.closed:
+        every = tuple(range(len(plan.joints)))
+        steps = next(process.steps for process in plan.processes if process.steps)
+        process = Process(plan.line or steps, every, every)  # of others, each does everything
     else:
         (process,) = (process for process in plan.processes if process.steps)
     return replace(
-        plan, processes=(process,), messages=(), schedule="", channel="auto", profile="default"
+        plan,
+        processes=(process,),
+        messages=(),
+        schedule="",
+        channel="auto",
+        profile="default",
+        line=(),
     )
 
 
@@ -70,11 +80,6 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
         raise UsageError("only form segment is reproducible")
     if not plan.several:
         return
-    if plan.closed:
-        raise UsageError(
-            "closed loops are reproducible where one process does everything: leave out --schedule "
-            "or --reproducible"
-        )
     if gathered is None:
         raise UsageError(
             "processes that are joined at a cut round differently from one process: reproducible "
@@ -89,3 +94,20 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
                 f"one process: reproducible ones gather at {where}; leave out --schedule or "
                 "--reproducible"
             )
+    if any(message.sides for message in plan.messages):
+        raise UsageError(
+            "processes that share a loop add up its rows otherwise than one process: leave out "
+            "--schedule or --reproducible"
+        )
+    if plan.recovers and not _all_exchange(plan):
+        raise UsageError(
+            "processes that do not hear of each other's poor poses would go different ways: leave "
+            "out --schedule or --reproducible"
+        )
+
+
+def _all_exchange(plan: Plan) -> bool:
+    """Whether each process tells all others what its limbs do to the links that they share."""
+    told = {(m.source, m.target) for m in plan.messages if m.inertias}
+    own = [p for p, process in enumerate(plan.processes) if process.steps]
+    return told.issuperset((p, q) for p in own for q in own if p != q)

@@ -122,6 +122,8 @@ class Plan:
         couplings: joints whose coordinates are tied.
         reproducible: whether its processes share out the straight line of one, so that answers are
             the same to the last bit on any number of them (adagen/plan/shared_line.py).
+        line: the steps of one process, whose straight line several processes share; empty where
+            they follow from the joints, or each process takes its own.
         parameters: constants that can be set at run time.
         loop_forces: whether forces of loops and couplings are given behind the accelerations.
         tied_rows: constraints of loops and couplings that have a right-hand side each, as slaved
@@ -149,6 +151,7 @@ class Plan:
     loops: tuple[PlanLoop, ...] = field(default=(), metadata=OPTIONAL)
     couplings: tuple[PlanCoupling, ...] = field(default=(), metadata=OPTIONAL)
     reproducible: bool = field(default=False, metadata=OPTIONAL)
+    line: tuple[Step, ...] = field(default=(), metadata=OPTIONAL)
     parameters: tuple[PlanParameter, ...] = field(default=(), metadata=OPTIONAL)
     loop_forces: bool = field(default=False, metadata=OPTIONAL)
     tied_rows: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
@@ -261,7 +264,7 @@ class Plan:
             replace(p, steps=p.recovery, recovery=next(iter(p.others), ()), others=p.others[1:])
             for p in self.processes
         )
-        return replace(self, processes=tuple(processes))
+        return replace(self, processes=tuple(processes), line=())
 
     def held_back(self) -> Plan:
         """Return the plan in which closures carry no rows, where there is one; else this one."""

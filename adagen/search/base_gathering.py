@@ -16,9 +16,11 @@ from adagen.executor.line import line_of
 from adagen.model import Model
 from adagen.plan import can_gather, make_plan
 from adagen.plan.certificate import certified
+from adagen.plan.closures import closures_of
 from adagen.plan.clusters import fold_of
 from adagen.plan.gather import trees_of
 from adagen.plan.gather_trees import moving_trees
+from adagen.plan.grounded_closures import grounded_closures_of
 from adagen.plan.robot import PlanJoint
 from adagen.plan.shared_line import serial_plan
 from adagen.schedule import CostProfile, Schedule, Topology
@@ -44,7 +46,7 @@ def reproducible_schedule(
         UsageError: P is out of range.
     """
     alone = alone_schedule(model, processes, profile)
-    if model.closed or not _may_share(model, processes, profile):
+    if not _may_share(model, processes, profile):
         return alone
     layouts, weights = _layouts(model, alone, scalar)
     return cheapest_of(
@@ -144,7 +146,9 @@ def _layouts(
     roots = [tree.own_root for tree in trees]
     line = line_of(serial_plan(plan))
     weights = joint_weights(line.plan.processes[0], line.machine)
-    return layouts_at(plan.joints, roots, weights, alone.processes), weights
+    closures = (grounded_closures_of(model) or closures_of(model)) if model.closed else ()
+    together = [closure.path for closure in closures]
+    return layouts_at(plan.joints, roots, weights, alone.processes, together), weights
 
 
 def _led(joints: Sequence[PlanJoint], gathered: Gathered) -> Gathered:

@@ -41,6 +41,17 @@ inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
+#if defined(ADAGEN_REPRODUCIBLE) && defined(ADAGEN_LOOPS)
+// Receives a message, and what failed at its source.
+template <class AnyChannel>
+const Real* heard(Workspace& w, AnyChannel& channel, int k) {
+  int told = kFine;
+  const Real* const content = channel.receive(k, told);
+  if (told != kFine) fail(w, failure_kind(told), failure_place(told));
+  return content;
+}
+#endif
+
 #if defined(ADAGEN_EACH_ITS_WAY)
 // A test of lanes counts for those that have no answer yet.
 inline void require_all(Workspace& w, const LaneBits& good, Failure kind, int joint) {

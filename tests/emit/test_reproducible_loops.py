@@ -5,23 +5,34 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from adagen.executor import groupings
+from adagen.errors import UsageError
+from adagen.executor import groupings, simulate
 from adagen.executor.solve import Run, SingularPoseError
 from adagen.model import Model
-from adagen.plan import Plan
+from adagen.plan import Plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import certified
+from adagen.plan.shared_line import check_reproducible
+from adagen.plan.types import THREADS
+from adagen.program import check
+from adagen.program.lower import lower
 from adagen.reference.closed import closed_forward_dynamics
+from adagen.schedule import load_profile
+from adagen.schedule.tree import Gathered
+from adagen.search.base_gathering import reproducible_schedule
 from adagen.states import States, read_result, write_states
 from benchmarks.closed_robots import MECHANISMS as BENCHMARKS
 from tests.emit.test_reproducible import CLANG_FLAGS, FLAGS, runs
 from tests.emit.test_reproducible_constants import WIDE, Library
 from tests.emitted import QUICK, Array, Builder
+from tests.executor.test_closed_processes import figure
+from tests.executor.test_separate_trees import carrying
 from tests.gathered import reproducible_plan
 from tests.mechanisms import four_bar, quadruped, states_of
 from tests.slow import slow
@@ -30,6 +41,7 @@ OLD = ("-O1", "-march=x86-64")
 ROBOTS: dict[str, Callable[[], Model]] = {
     "four-bar": four_bar,
     "quadruped": quadruped,
+    "robots that carry a bar": lambda: carrying("point"),
     **{name: BENCHMARKS[name] for name in ("leg with a parallel ankle", "a1 on four point feet")},
 }
 ENOUGH = {"double": 1e-11, "float": 1e-3}
@@ -47,7 +59,7 @@ def is_poor(plan: Plan, row: tuple[Array, Array, Array]) -> bool:
 def mixed(model: Model, plan: Plan, count: int) -> States:
     """Return closed states; of robots on several feet some are poor, some not."""
     states = states_of(model, count, seed=5)
-    if model.loops[1:]:
+    if model.loops[2:]:
         assert 2 < sum(is_poor(plan, row) for row in states.each) < count - 2
     return states
 
@@ -99,6 +111,72 @@ def test_compilers_lanes_and_batches(
     found = read_result(same(plan, model, states, builder, tmp_path, every=every), model)
     truth = np.array([closed_forward_dynamics(model, *row) for row in states.each])
     assert np.abs(found - truth).max() < ENOUGH[scalar] * np.abs(truth).max()
+
+
+def shared(model: Model, owners: list[int | None], **options: str) -> Plan:
+    """Return a plan of threads around a floating base that have the joints given."""
+    plan = reproducible_plan(model, Gathered((1,), tuple(owners)), **options)
+    return replace(plan, channel=THREADS)
+
+
+LAYOUTS = {
+    "quadruped on two": (quadruped, [None, *[0] * 6, *[1] * 6]),
+    "quadruped on three": (quadruped, [None, *[0] * 3, *[1] * 6, *[2] * 3]),
+    "figure on three": (figure, [None, *[0] * 3, *[1] * 3, *[2] * 8]),
+}
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_each_way_of_processes_is_that_of_one(name: str) -> None:
+    """Lanes or not, and in poor poses each for itself."""
+    make, owners = LAYOUTS[name]
+    model = make()
+    alone, plan = reproducible_plan(model), shared(model, owners)
+    assert plan_from_json(plan_to_json(plan)) == plan
+    assert all(any(one.machine.sent.values()) for one in simulate(plan))
+    states = states_of(model, 2)
+    for way, of_one in zip(plan.alternatives, alone.alternatives, strict=True):
+        check(lower(way, "unrolled"))
+        for row in states.each:
+            given = dict(zip(("q", "v", "tau"), row, strict=True))
+            expected = Run(of_one, given).accelerations()
+            for grouping in groupings(way):
+                found = Run(way, given, lanes=grouping).accelerations()
+                np.testing.assert_array_equal(found, expected)
+
+
+@pytest.mark.parametrize(
+    ("name", "scalar"),
+    [
+        ("quadruped on two", "double"),
+        slow("quadruped on two", "float"),
+        *(slow(name, "double") for name in ("quadruped on three", "figure on three")),
+    ],
+)
+def test_processes(name: str, scalar: str, builder: Builder, tmp_path: Path) -> None:
+    """Threads, in poor poses, too: all go the next way together."""
+    make, owners = LAYOUTS[name]
+    model = make()
+    alone, plan = reproducible_plan(model, scalar=scalar), shared(model, owners, scalar=scalar)
+    states = mixed(model, alone, 24)
+    none, *some = groupings(plan)
+    expected = Library(alone, builder, QUICK, tmp_path).solve(states)
+    for grouping, flags in zip([*some, none], (WIDE, OLD), strict=False):
+        solver = Library(plan, builder, flags, tmp_path, limbs=grouping)
+        np.testing.assert_array_equal(solver.solve(states), expected)
+
+
+def test_processes_that_may_go_different_ways_are_refused() -> None:
+    """Each has a robot that floats apart from the other's; or nobody hears of a poor pose."""
+    model = carrying("point")
+    robots = Gathered((1, 10), (*[0] * 9, *[1] * 9))
+    with pytest.raises(UsageError, match="processes that share a loop"):
+        reproducible_plan(model, robots)
+    assert not reproducible_schedule(model, 2, load_profile("default")).gathered
+    make, owners = LAYOUTS["quadruped on two"]
+    plan = shared(make(), owners)
+    with pytest.raises(UsageError, match="do not hear of each other's poor poses"):
+        check_reproducible(replace(plan, messages=plan.messages[:1]), Gathered((1,), tuple(owners)))
 
 
 @pytest.mark.parametrize("robot", ["four-bar", slow("leg with a parallel ankle")])

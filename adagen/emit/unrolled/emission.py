@@ -353,10 +353,10 @@ class _ProcessText:
         about = describe_message(self.symbols, message)
         if what == "send":
             return f"channel.send({number}, w.status);  // to process {message.target}: {about}"
-        return (
-            f"w.from[{number}] = channel.receive({number}, w.status);"
-            f"  // from process {message.source}: {about}"
-        )
+        plan = self.symbols.plan
+        ways = plan.reproducible and plan.closed  # which one to go is heard, whatever failed here
+        call = f"heard(w, channel, {number})" if ways else f"channel.receive({number}, w.status)"
+        return f"w.from[{number}] = {call};  // from process {message.source}: {about}"
 
     def _stretch(self, stretch: Stretch) -> list[str]:
         run = []
