@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 Setting = tuple[str, str, object, object]
 """C++ type, name, value, and the value that the runtime has for it."""
-_DESCRIBED = {"kRobot", "kFloating", "kAtRest", "kChannel", "kHops", "kMeetsSubnormals"}
+_DESCRIBED = {"kRobot", "kFloating", "kChannel", "kHops", "kMeetsSubnormals"}
 """What only some processors, or the description for the program around a solver, read; clang would
 call it unused."""
 

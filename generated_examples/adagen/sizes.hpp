@@ -39,4 +39,10 @@ using Real = Number;              // type of what is computed from them
 [[maybe_unused]] constexpr int kPlanMessages = Settings::kPlanMessages;
 [[maybe_unused]] constexpr double kTolerance = Settings::kTolerance;
 
+// The velocities of a state: where all are at rest, none that a caller may give.
+[[maybe_unused]] inline const Number* velocities_of(const Number* v) {
+  static constexpr std::array<Number, static_cast<std::size_t>(kNv)> kStill{};
+  return Settings::kAtRest ? kStill.data() : v;
+}
+
 }  // namespace

@@ -105,7 +105,7 @@ class Solver : public InPlace {
       if (!other.takes_part()) continue;
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
-      content = pack(content, other.v, v);
+      content = pack(content, other.v, velocities_of(v));
       content = pack(content, other.tau, tau);
       pack_parameters(content, w);
       channel.send(state_message(p), status);

@@ -83,7 +83,7 @@ class Solver : public InPlace {
     if (channel.broken()) return finish(channel.no_answer());
     if constexpr (!kAlone) {
       std::copy_n(q, kNq, q_.data());
-      std::copy_n(v, kNv, v_.data());
+      std::copy_n(velocities_of(v), kNv, v_.data());
       std::copy_n(tau, kNtau, tau_.data());
     }
     const std::uint64_t number = call();

@@ -13,6 +13,7 @@ import pinocchio
 import pytest
 from numpy.typing import NDArray
 
+import adagen
 from adagen.build import find_toolchain
 from adagen.cli import main
 from adagen.emit import emit, program_of
@@ -379,6 +380,20 @@ def test_at_rest_velocities_cost_nothing(builder: Builder, tmp_path: Path) -> No
     assert solver.run("--states", path).status == 1
     with pytest.raises(InputError, match="at_rest"):
         read_states(path, model)
+
+
+@pytest.mark.parametrize("shape", [slow("unrolled"), "kernels"])
+def test_at_rest_velocities_are_not_read(shape: str, tmp_path: Path) -> None:
+    """Loops swept the state that they were given, while straight lines left velocities out."""
+    scene = tmp_path / "scene.toml"
+    scene.write_text("at_rest = true\n")
+    robot = adagen.read(MODELS / "chain16.urdf", scene=scene)
+    solver = adagen.compile(robot, shape=shape).build()
+    states = random_states(robot.model, 3, seed=2)
+    found = solver(states.q, np.full_like(states.v, 0.7), states.tau)
+    still = np.zeros(robot.nv)
+    want = [forward_dynamics(robot.model, q, still, tau) for q, _, tau in states.each]
+    assert forward_error(found, np.array(want)) < 1e-10
 
 
 def test_what_a_simplification_does_is_told(tmp_path: Path) -> None:

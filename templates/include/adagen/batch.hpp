@@ -156,10 +156,10 @@ class Solver {
   }
 
   // The states from the one numbered first on.
-  static void take(Group& group, int first, int states, const Number* q, const Number* v,
-                   const Number* tau) {
+  static void take(Group& group, int first, int states, const Number* q,
+                   [[maybe_unused]] const Number* v, const Number* tau) {
     to_lanes(states, q + size(first) * kNq, group.q);
-    to_lanes(states, v + size(first) * kNv, group.v);
+    if constexpr (!Settings::kAtRest) to_lanes(states, v + size(first) * kNv, group.v);
     to_lanes(states, tau + size(first) * kNtau, group.tau);
   }
 

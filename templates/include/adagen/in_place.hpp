@@ -52,7 +52,7 @@ class InPlace {
 
   void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     w.q = q;
-    w.v = v;
+    w.v = velocities_of(v);
     w.tau = tau;
     w.qdd = qdd;
     w.status = kFine;
