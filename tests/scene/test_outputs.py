@@ -283,6 +283,14 @@ def test_an_output_is_told_where_it_is(tmp_path: Path) -> None:
     assert re.search(r'//   41 to 46  link acceleration of "torso"', text)
 
 
+@pytest.mark.parametrize("batch", [0, 1])
+def test_the_header_tells_how_many_numbers_outer_forces_add(batch: int, tmp_path: Path) -> None:
+    model = humanoid(tmp_path, 'forces = ["left_foot"]\n', floating=True)
+    files = emit(planned(model), batch=batch)
+    text = "".join(text for name, text in files.items() if name.endswith(".h"))
+    assert ("of v, 41 of tau, 35 of qdd" if batch else "v: 35, tau: 41, qdd: 35") in text
+
+
 def test_limbs_that_outputs_hang_on_stay(tmp_path: Path) -> None:
     """Of a humanoid that is held: one leg for its acceleration, the other one for its foot."""
     outputs = """
