@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import fsum  # as sum is rounded differently by Python before 3.12, and this is emitted
 from typing import Any
 
 import numpy as np
@@ -44,7 +45,7 @@ def least_mobility(plan: Plan, join: Join) -> list[float]:
     child, parent = plan.links[join.joint + 1], plan.links[plan.joints[join.joint].parent]
     least = [row[k] for k, row in enumerate(child.phi)] or [0.0] * 6
     if parent.phi:  # at least: 1 / trace of the inertia about any axis, 1 / mass in any direction
-        trace = sum(parent.tensor[k][k] for k in range(3))
+        trace = fsum(parent.tensor[k][k] for k in range(3))
         least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
     return [KEPT * EPSILON[plan.scalar] * x for x in least] if any(least) else []
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from math import fsum  # as sum is rounded differently by Python before 3.12, and this is emitted
 
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import Articulate, HoldMobility, Send, Step
@@ -86,9 +87,9 @@ def _by_offsets(plan: Plan, order: list[int], longest: int) -> Spread:
         turning += _own_turning(plan, j + 1, longest)
         slides = sum(place >= 3 for place in KINDS[joint.kind].free)
         fixed = 2 * longest * mass[j + 1] * (2 if slides else 1)
-        turning += fixed * sum(x * x for x in joint.translation)
+        turning += fixed * fsum(x * x for x in joint.translation)
         along += [(joint.q + k, fixed) for k in range(slides)]
-    return Spread(turning, tuple(along), 2 * sum(plan.links[j + 1].mass for j in order))
+    return Spread(turning, tuple(along), 2 * fsum(plan.links[j + 1].mass for j in order))
 
 
 def _by_distances(plan: Plan, order: list[int], *, hears: bool = False) -> Spread:
@@ -97,16 +98,16 @@ def _by_distances(plan: Plan, order: list[int], *, hears: bool = False) -> Sprea
     What takes at most K |x|^2 + M |y|^2 of its own acceleration takes at most (K + 2 M d^2) |x|^2 +
     2 M |y|^2 of that of a body that it is a part of, at a distance d from there.
     """
-    turning = sum(_own_turning(plan, j + 1, 1) for j in order)
+    turning = fsum(_own_turning(plan, j + 1, 1) for j in order)
     masses = [(j + 1, 4 * plan.links[j + 1].mass) for j in order]
-    return Spread(turning, (), sum(mass for _, mass in masses), tuple(masses), hears)
+    return Spread(turning, (), fsum(mass for _, mass in masses), tuple(masses), hears)
 
 
 def _own_turning(plan: Plan, link: int, count: int) -> float:
     """What a link takes for turning about a place, but for its distance; ``count``: of vectors."""
     own = plan.links[link]
-    inertia = sum(own.tensor[k][k] for k in range(3))
-    return inertia + 2 * count * own.mass * sum(x * x for x in own.com)
+    inertia = fsum(own.tensor[k][k] for k in range(3))
+    return inertia + 2 * count * own.mass * fsum(x * x for x in own.com)
 
 
 def beyond_held(plan: Plan, steps: Iterable[Step]) -> list[int]:

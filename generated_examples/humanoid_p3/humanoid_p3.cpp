@@ -656,7 +656,7 @@ static void assemble_left_hip_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_right_hip_pitch.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
-  constexpr std::array<Real, 6> least{7.97506041035137e-12, 7.97506041035137e-12, 8.287386887608557e-12, 1.9470029590306893e-14, 1.9470029590306893e-14, 1.2442683852020187e-14};
+  constexpr std::array<Real, 6> least{7.97506041035137e-12, 7.97506041035137e-12, 8.287386887608555e-12, 1.9470029590306893e-14, 1.9470029590306893e-14, 1.2442683852020187e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_left_hip_roll.Phi_left_hip, least))
     fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, w.j_left_hip_roll.Phi_left_hip, i.X * w.j_right_hip_pitch.b_pelvis, w.j_left_hip_roll.b_left_hip, c))
@@ -884,7 +884,7 @@ static void assemble_right_hip_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
-  constexpr std::array<Real, 6> least{7.97506041035137e-12, 7.97506041035137e-12, 8.287386887608557e-12, 1.9470029590306893e-14, 1.9470029590306893e-14, 1.2442683852020187e-14};
+  constexpr std::array<Real, 6> least{7.97506041035137e-12, 7.97506041035137e-12, 8.287386887608555e-12, 1.9470029590306893e-14, 1.9470029590306893e-14, 1.2442683852020187e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_right_hip_roll.Phi_right_hip, least))
     fail(w, kGrowth, 7);
   if (!join(i.joined, Phi_A, w.j_right_hip_roll.Phi_right_hip, i.X * w.j_base.b, w.j_right_hip_roll.b_right_hip, c))
