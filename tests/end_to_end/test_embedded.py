@@ -213,7 +213,12 @@ def test_there_is_memory_for_a_body_and_what_a_scene_wants_of_it(
     path.write_text(f'<robot name="body">{body}</robot>')
     scene.write_text('[outputs]\nreaction_forces = ["__base__"]\ninverse_inertia = ["body"]\n')
     alone = adagen.read(path, floating=True, scene=scene)
-    asked = {"target": "embedded", "scalar": scalar, "name": "own", "shape": "unrolled"}
+    asked: dict[str, Any] = {
+        "target": "embedded",
+        "scalar": scalar,
+        "name": "own",
+        "shape": "unrolled",
+    }
     for runtime in ("", "gravity"):
         object_of(adagen.compile(alone, runtime=runtime, **asked), builder, tmp_path)
 
