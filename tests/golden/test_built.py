@@ -112,6 +112,15 @@ def test_the_makefile_builds_and_checks_every_example(builder: Builder) -> None:
         assert f"{line}out/{example.stem}/{example.stem} --check\n" in said
 
 
+def test_another_mpi_than_open_mpi_gets_only_what_all_know(tmp_path: Path) -> None:
+    launcher = tmp_path / "mpiexec"
+    launcher.write_text("#!/bin/sh\necho HYDRA build details:\n")
+    launcher.chmod(0o755)
+    command = ["make", "-n", "-C", str(FOLDER / "humanoid_p3"), f"MPIEXEC={launcher}", "check"]
+    said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60).stdout
+    assert f"{launcher} -n 3 ./humanoid_p3 --check\n" in said
+
+
 @pytest.mark.parametrize("stems", [["mobile_p1"], pytest.param([*BY_STEM], marks=pytest.mark.slow)])
 def test_make_in_the_folder_of_examples_works(
     stems: list[str], builder: Builder, tmp_path: Path
