@@ -61,16 +61,16 @@ def main() -> None:
     options = parser.parse_args()
     before, rows = machine(), []
     for word in options.urdf:
+        word, _, runtime = word.partition(":runtime=")
         path, *how = word.split(":")
         scene = next((each for each in how if each.endswith(".toml")), None)
-        runtime = next((x.removeprefix("runtime=") for x in how if x.startswith("runtime=")), "")
         robot = adagen.read(path, floating="floating" in how, scene=scene)
         for what, batch in (("a state", False), ("a batch", True)):
             tell(f"compiling {path}, {what}")
             own = contestants(robot, runtime, batch=batch)
             times = by_turns(own, options.rounds, repeat=15 if batch else 300)
             found = {one.name: times[one.name]["in_place"] for one in own}
-            name = ", ".join([Path(path).stem, *how[: bool(runtime)]])
+            name = ", ".join(filter(None, [Path(path).stem, runtime]))
             rows.append(row(name, robot.nv, what, found))
             tell(", ".join(rows[-1]))
     figures = ("fastest, ns", "straight line, ns", "nothing fused, ns", "reproducible, ns")
