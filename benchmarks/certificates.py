@@ -79,7 +79,11 @@ PARTED = [
     Certified("unrolled", parts=True),
     Certified("kernels", scalar="float", parts=True),
 ]
-LOOPED = [Certified("unrolled"), Certified("unrolled", batch=True)]
+LOOPED = [
+    Certified("unrolled"),
+    Certified("unrolled", batch=True),
+    Certified("unrolled", looped=EVERY),
+]
 ROBOTS = [
     str(MODELS / f"{name}.urdf")
     for name in ("arm7", "chain16", "humanoid", "human40", "fourbar", "ankle")

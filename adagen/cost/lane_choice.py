@@ -22,9 +22,10 @@ from adagen.program.slots import Slots
 from adagen.schedule import CostProfile, step_costs
 from adagen.schedule.costs import StepCosts
 
-_VALUE, _MOVE = 6.2, 3.2
-"""Bytes of code for each value of a certified straight line, and more for each move between lanes:
-within 5 % of those of robots of 49 to 74 freedoms (docs/records/certificates.md)."""
+_VALUE, _MOVE, _LEFT = 6.2, 3.2, 8.0
+"""Bytes of code for each value of a certified straight line, more for each move between lanes, and
+for each number that it leaves in memory for a loop: the first two within 5 % of those of robots of
+49 to 74 freedoms (docs/records/certificates.md)."""
 _HELD = 1.068
 """Such bytes for each of the first instruction cache up to which it holds a line: where it has 64
 kB, talos with its hands has 68 thousand by this count, and 65 in fact, the next larger ones 73
@@ -73,15 +74,21 @@ def _within_cache(plan: Plan, limbs: Grouping, cache: float) -> Plan:
     if length <= _HELD * cache:
         return plan
     swept = [line.machine.swept for line in simulate(every, limbs)]  # others are idle
-    rows = sum(len(own.rows) for own in swept if own is not None)
+    rows = sum(own.count for own in swept if own is not None)
+    if not rows:
+        return plan
     saved = (length - _length(every, limbs)) / rows
     return looped(plan, math.ceil((length + _FUNCTION - _AIMED_AT * cache) / saved)) or plan
 
 
 def _length(plan: Plan, limbs: Grouping) -> float:
     """Bytes of code of the longest straight line of a plan, about."""
-    lines = simulate(plan, limbs)
-    return max(_VALUE * len(line.alive) + _MOVE * line.operations.moves for line in lines)
+    return max(
+        _VALUE * len(line.alive)
+        + _MOVE * line.operations.moves
+        + _LEFT * (0 if line.machine.swept is None else len(line.machine.swept.left))
+        for line in simulate(plan, limbs)
+    )
 
 
 @lru_cache(maxsize=4)

@@ -227,6 +227,9 @@ class Allowance:
         yield
         graph.mark = now
 
+    def begin(self, step: Step) -> None:
+        """Have a loop sweep residuals before the first step of a correction that does."""
+
     def swept(self, step: Step) -> None:
         """Use a step of a correction, if it sweeps residuals inwards."""
 

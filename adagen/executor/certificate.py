@@ -23,7 +23,8 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
 from adagen.executor.shared_bound import Heard, parting, seen_with, spread_of, told
 from adagen.executor.state import State
-from adagen.executor.swept_rows import SweptRows, by_depth
+from adagen.executor.swept_records import levels
+from adagen.executor.swept_rows import SweptRows
 from adagen.graph import Expression, Factors, Graph, factorize, matrix_times, total
 from adagen.plan.certificate import ROUNDING, has_inner_root
 from adagen.plan.digits import EPSILON
@@ -99,7 +100,7 @@ class Certificate(Allowance):
         return self.motion.link_inertia(link) if link in self.own else self.state.zeros(6, 6)
 
     def _look_at(self, link: int, inertia: Array) -> None:
-        if link - 1 in self._looped:
+        if link - 1 in self._in_loop:
             return
         if link in self.own:
             self._start(link, inertia)
@@ -161,9 +162,9 @@ class Certificate(Allowance):
         if self.parts is not None:
             self._sweep_parts(self.parts, inwards)
             return
-        if self._looped:
+        if self._in_loop:
             self._sweep_in_loop()
-            inwards = [j for j in inwards if j not in self._looped]
+            inwards = [j for j in inwards if j not in self._in_loop]
         for j in inwards:
             self._inwards(j)
             body: Articulated = self.memory["articulated", j]
@@ -176,40 +177,51 @@ class Certificate(Allowance):
                 self.answer.add(base, 1, self._energy_of_base(base))
 
     @cached_property
-    def _looped(self) -> list[int]:
+    def _by_level(self) -> list[list[int]]:
         """Joints whose rows a loop sweeps: the outermost ones, inwards."""
         if not self.rows_in_loop:
             return []
         inwards = [name[1] for name in self.memory if _is(name, "articulated")]
-        return by_depth(self.state, inwards)[: self.rows_in_loop]
+        return levels(self.state.rows, inwards, self.rows_in_loop)
+
+    @cached_property
+    def _in_loop(self) -> list[int]:
+        return [j for level in self._by_level for j in level]
+
+    closed = False
+
+    def wrench_at(self, link: int) -> Array:
+        """Return the wrench that the reference field takes of a link, shape (6,)."""
+        return self.motion.link_force(link)
+
+    def squares_at(self, link: int) -> Array:
+        """Return those of outer forces on it, shape (4,)."""
+        return self.pushed(link)
+
+    def torque_at(self, j: int) -> Expression:
+        """Return the torque of a hinge."""
+        return self._given(j, 1)[0]  # type: ignore[no-any-return]
+
+    def holds(self, _: int) -> bool:
+        """Return whether a joint holds, which none does where there are no closures."""
+        return False
 
     def _sweep_in_loop(self) -> None:
         """Have a loop sweep them; the links within gather what is left over."""
-        rows = SweptRows(self, self._looped)
+        rows = SweptRows(self, self, self._by_level)
         self.state.swept = rows.swept
         seen, rounded, answer = rows.summed()
         for sums, found in ((self.seen, seen), (self.rounded, rounded), (self.answer, answer)):
             sums.add("loop", 1, found)
         gather = rows.gather[1:]  # the ground comes first
-        masses = self._masses_beyond(gather) if self.bases else {}
+        masses = rows.masses() if self.bases else {}
         for link in gather:
             left, noise, force = rows.gathered(link)
             self.memory["left", link] = self.memory["left", link] + left
             self.memory["noise", link] = self.memory["noise", link] + noise
             if self.bases:
-                bare = np.array([*force, *masses[link]], dtype=object)
+                bare = np.array([*(left[3:] - force), *masses[link]], dtype=object)
                 self.memory["bare", link] = self.memory["bare", link] + bare
-
-    def _masses_beyond(self, gather: Sequence[int]) -> dict[int, Array]:
-        """Masses that links carry by joints that a loop sweeps, shape (1,)."""
-        rows, memory = self.state.rows, self.memory
-        for j in self._looped:
-            memory["mass", j + 1] = np.array([rows.mass(j + 1)], dtype=object)
-        memory.update({("mass", link): self.state.zeros(1) for link in gather})
-        for j in self._looped:
-            if any(rows.near_links(j)):
-                rows.hand_on("mass", j, memory["mass", j + 1])
-        return {link: memory["mass", link] for link in gather}
 
     def _sweep_parts(self, parts: FloatingParts, inwards: Sequence[int]) -> None:
         """The same in each part, to its first link."""

@@ -21,8 +21,11 @@ from adagen.executor.allowance import Allowance, Sums
 from adagen.executor.corrections import Corrections
 from adagen.executor.front import End, Front
 from adagen.executor.repeatable import Repeatable
+from adagen.executor.residuals import Energies, Residuals
 from adagen.executor.segments import Articulated
-from adagen.graph import Expression, factorize, total
+from adagen.executor.swept_records import levels
+from adagen.executor.swept_rows import SweptRows
+from adagen.graph import Expression, Graph, factorize, total
 from adagen.plan.arms import WideUnknown
 from adagen.plan.certificate import ROUNDING
 from adagen.plan.digits import EPSILON
@@ -39,6 +42,9 @@ class ClosedCertificate(Allowance):
         self.machine, self.corrections, self.seen = machine, corrections, Sums(machine)
         self.held: dict[int, dict[int, Expression]] = {}
         self.unit = ROUNDING * EPSILON[machine.plan.scalar]
+        self.loop: SweptRows | None = None  # of the outermost rows of joints, in long lines
+        self._in_loop: set[int] = set()
+        self._begun = False
 
     def reach(self, j: int, **_: bool) -> None:
         """Look at the link beyond a joint, whose acceleration is there; roots are bases here."""
@@ -54,7 +60,11 @@ class ClosedCertificate(Allowance):
         """The squared energy norm of the answer, from its links and rotors."""
         corrections, sums = self.corrections, Sums(self.machine)
         answer, energies = corrections.answer(), corrections.energies()
+        if self.loop is not None:
+            self._energy_in_loop(self.loop, energies, sums)
         for link in energies.links:
+            if link - 1 in self._in_loop:
+                continue
             with self.when_reached(link):
                 energy = energies.in_fall(link, answer.links[link])
                 sums.add(self.run(link - 1), self.count(link - 1), energy)
@@ -65,6 +75,88 @@ class ClosedCertificate(Allowance):
                     sums.add(self.run(j), self.count(j), rotor)
         return sums.total()
 
+    # -- in a loop --------------------------------------------------------------------------------
+
+    closed = True
+
+    def wrench_at(self, link: int) -> Array:
+        """Return the wrench that the reference field and loops take of a link, shape (6,)."""
+        memory = self.corrections.current.memory
+        return self.motion.field_force(link) + memory["held", link]  # type: ignore[no-any-return]
+
+    def squares_at(self, link: int) -> Array:
+        """Return those of forces that act on it by themselves, shape (4,)."""
+        squares: Array = self.memory["noise", link]
+        return squares
+
+    def torque_at(self, j: int) -> Expression:
+        """Return the torque of a hinge, less what its rotor and couplings take."""
+        return self.corrections.current.torques(j)[0, 0]  # type: ignore[no-any-return]
+
+    def holds(self, j: int) -> bool:
+        """Return whether the acceleration of a joint is an unknown of a closure."""
+        return ("articulated", j) not in self.memory
+
+    def begin(self, step: Step) -> None:
+        """Have a loop sweep the outermost rows; the links within gather what is left over."""
+        if self._begun or not isinstance(step, Articulate | HoldBack | Eliminate | SolveRoot):
+            return
+        self._begun = True
+        asked = max((step.looped for step in self.state.plan.steps_of(Certify)), default=0)
+        inwards = self._hinges() if asked and isinstance(self.state.graph, Graph) else []
+        if not inwards:
+            return
+        by_level = levels(self.state.rows, inwards, asked)
+        residual = self.corrections.current
+        self.loop = loop = SweptRows(self, self, by_level)
+        self.state.swept = loop.swept
+        self._in_loop = {j for level in by_level for j in level}
+        assert isinstance(residual.left, Residuals)
+        residual.left.in_loop = frozenset(self._in_loop)
+        for j in self._in_loop:
+            p = self.state.zeros(6, 1)
+            if self.holds(j):
+                p[2, 0], _ = loop.held(j)
+            residual.memory["pA", j + 1] = p
+        for link in loop.gather[1:]:
+            left, noise, _ = loop.gathered(link)
+            residual.memory["pA", link] = residual.memory["pA", link] + left[:, None]
+            self.memory["noise", link] = self.memory["noise", link] + noise
+        seen, rounded, _ = loop.summed()
+        self.seen.add("loop", 1, seen)
+        self.rounded.add("loop", 1, rounded)
+
+    def _hinges(self) -> list[int]:
+        """The rows of hinges that a loop may sweep: nothing but such hangs beyond them, inwards."""
+        rows, found = self.state.rows, list[int]()
+        steps = self.corrections.in_order()
+        if self.motion.rod_halves:
+            return []
+        within = {step.link for step in self.corrections.steps if isinstance(step, Eliminate)}
+        for step in steps:
+            if not isinstance(step, Articulate | HoldBack):
+                continue
+            j = step.joint
+            joints = [self.state.plan.joints[each] for each in rows.own(j)]
+            hinged = all(joint.kind == "revolute" for joint in joints)
+            driven = isinstance(step, Articulate) and self.state.rotor(j) is not None
+            if hinged and not driven and within.isdisjoint(each + 1 for each in rows.own(j)):
+                found.append(j)
+            else:
+                within.update(rows.near_links(j))
+        return found
+
+    def _energy_in_loop(self, loop: SweptRows, energies: Energies, sums: Sums) -> None:
+        """That of links in the loop, less free fall d: a^T I a - 2 d^T P + m d^T d."""
+        sums.add("loop", 1, loop.summed()[2])
+        masses = loop.masses() if self.bases else {}
+        for link, (mass,) in masses.items():
+            _, _, force = loop.gathered(link)
+            run, count = self.run(link - 1), self.count(link - 1)
+            sums.add(run, count, energies.of_fall(link, force, mass))
+
+    # -- sweeps -----------------------------------------------------------------------------------
+
     def swept(self, step: Step) -> None:
         """Add a step's squared residual error, and its allowance for rounding."""
         if not self.state.plan.certified:
@@ -74,6 +166,8 @@ class ClosedCertificate(Allowance):
             case StartLink(link):
                 held = residual.memory["held", link]
                 self.memory["noise", link] = self.pushed(link) + self._of_wrench(held)
+            case Articulate(j) if j in self._in_loop:
+                pass
             case Articulate(j):
                 self._pass_articulated(j)
                 body: Articulated = residual.memory["articulated", j]
@@ -120,7 +214,8 @@ class ClosedCertificate(Allowance):
 
     def _pass_held(self, step: HoldBack) -> None:
         """Squares at a joint whose acceleration is an unknown: its own, and all passed on."""
-        j, noise = step.joint, self.noise_at(step.joint + 1)
+        j = step.joint
+        noise = self._held_noise(j) if j in self._in_loop else self.noise_at(j + 1)
         front = self.machine.closures.fronts[step.closure]
         tied = [
             front.forces[unknown] * factor
@@ -132,7 +227,15 @@ class ClosedCertificate(Allowance):
         for k, row in enumerate(self.state.kind(j).free):
             here = arm_lanes.each(total([noise[min(row, 3)], *(x * x for x in tied)]), len(firsts))
             own.update((first + k, x) for first, x in zip(firsts, here, strict=True))
-        self._hand_on(j, [], self.state.zeros(0), noise)
+        if j not in self._in_loop:
+            self._hand_on(j, [], self.state.zeros(0), noise)
+
+    def _held_noise(self, j: int) -> Array:
+        """Squares at a hinge that a loop sweeps, of which only those along it count here."""
+        assert self.loop is not None
+        noise = self.state.zeros(4)
+        _, noise[2] = self.loop.held(j)
+        return noise
 
     def _hand_on(self, j: int, free: list[int], given: Array, noise: Array) -> None:
         if any(self.state.rows.near_links(j)):

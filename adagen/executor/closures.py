@@ -130,7 +130,7 @@ class Closures(Constraints):
         held = {each for lane in self.lanes(step.closure) for each in lane.held}
         rigid = all(is_rigid(self.state.plan, each, held) for each in self.state.rows.own(j))
         passed = {"IA": (x.rigid_inertia if rigid else x.inertia)(inertia)}
-        passed["pA"] = columnwise(x.force, p)
+        passed["pA"] = self.state.handed(j, columnwise(x.force, p))
         for name, value in passed.items():
             if parents[0] == self._top(step.closure):
                 front.hand(name, self.state.rows.sum_of(value, len(joints)))

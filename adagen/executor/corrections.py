@@ -66,6 +66,10 @@ class Corrections:
             if step.first <= place < step.last and not isinstance(again, _KINEMATICS):
                 self._again(again)
 
+    def in_order(self) -> list[Step]:
+        """Return the steps that a correction repeats."""
+        return [self.steps[place] for place in self._order]
+
     def _again(self, step: Step) -> None:
         """Repeat a step; a link's residual is computed where the link's acceleration is."""
         bounds = self.machine.bounds
@@ -73,6 +77,7 @@ class Corrections:
             with bounds.when_reached(step.link):
                 self.current.step(step)
         else:
+            bounds.begin(step)
             self.current.step(step)
         bounds.swept(step)  # of what is at hand
 

@@ -26,6 +26,9 @@ class LeftOver(Protocol):
     def of_joint(self, j: int, torques: Array) -> Array:
         """Return the residual torques of a joint, less rotor and couplings, shape (n,)."""
 
+    def handed(self, j: int, force: Array) -> Array:
+        """Return what a joint hands on: nothing where a loop sweeps its residual."""
+
     def of_row(
         self, bias: Expression, ends: Sequence[End], wide_unknown: WideUnknown
     ) -> Expression:

@@ -66,6 +66,9 @@ class Residuals(LeftOver):
         answer: the answer.
         ends: of loops, by closure.
         ties: rows of couplings and their factors, by closure and joint.
+
+    Attributes:
+        in_loop: joints whose residuals a loop sweeps (swept_rows.py).
     """
 
     def __init__(
@@ -78,6 +81,7 @@ class Residuals(LeftOver):
     ) -> None:
         self.state, self.motion, self.forces = motion.state, motion, forces
         self.answer, self.ties = answer, ties
+        self.in_loop: frozenset[int] = frozenset()
         state = self.state
         for link, a in answer.links.items():
             state.memory["whole", link] = a
@@ -97,6 +101,10 @@ class Residuals(LeftOver):
         ]
         if parts:
             self.state.rows.add("held", end.links, end.count, sum(parts[1:], parts[0]))
+
+    def handed(self, j: int, force: Array) -> Array:
+        """Return what a joint hands on: nothing where a loop sweeps its residual."""
+        return self.state.zeros(*force.shape) if j in self.in_loop else force
 
     def by_loops(self, link: int) -> Array:
         """Return the wrench on a link from loops that end at it, with opposite sign, shape (6,)."""
@@ -196,6 +204,17 @@ class Energies:
             return total(momentum * a)
         less = np.concatenate([a[:3], a[3:] - falls[link] * 2])
         return total([*(momentum * less), self._square(link) * self.state.rows.mass(link)])
+
+    def of_fall(self, link: int, force: Array, mass: Expression) -> Expression:
+        """Return what free fall d changes in that of links that fall with one, by lanes.
+
+        Args:
+            link: the link.
+            force: what all together take, P in - 2 d^T P + m d^T d, in its axes, shape (3,).
+            mass: m of all.
+        """
+        fall = self._fall(link)
+        return total([self._square(link) * mass, *(-(fall * force * 2))])
 
     def of_rotor(self, j: int, qdd: Array) -> Expression | None:
         """Return that of a joint's rotor, if it has one; by lanes."""

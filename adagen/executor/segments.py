@@ -182,7 +182,7 @@ class Segments:
             self.memory["pA", near] = self.memory["pA", near] + force
         else:
             self.state.rows.hand_on("IA", step.joint, passed)
-            self.state.rows.hand_on("pA", step.joint, force)
+            self.state.rows.hand_on("pA", step.joint, self.state.handed(step.joint, force))
 
     def _diagonal(self, n: int, entry: Expression) -> Array:
         matrix = self.state.zeros(n, n)

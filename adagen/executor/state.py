@@ -210,6 +210,10 @@ class State(ProcessMemory):
                 result[0, column] = self.graph.constant(-multiplier)
         return result
 
+    def handed(self, j: int, force: Array) -> Array:
+        """Return what a joint hands on of a force: nothing of what a loop sweeps."""
+        return force if self.left is None else self.left.handed(j, force)
+
     def _lost(self, j: int) -> list[list[Expression]]:
         """Torques of damping, friction and a spring on each freedom of a joint."""
         joint = self.plan.joints[j]

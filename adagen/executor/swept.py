@@ -1,9 +1,9 @@
-"""What a straight line leaves in memory for a loop that sweeps residuals, row by row of joints.
+"""What a straight line leaves in memory for a loop that sweeps residuals, record by record.
 
-The memory has a record for each row: ``FIELDS`` numbers, each in as many lanes as the widest row
-has. The first ``GATHERED`` of them are what links beyond hand on; they begin with the wrench that
-the field takes of the link itself. Links whose residuals no loop sweeps, the ground and others,
-gather in shorter records, which are zero before.
+A record is for joints that are swept together, one in each lane. Its numbers are ``FIELDS``, each
+in as many lanes as all records have. The first ``GATHERED`` of them are what links beyond hand on;
+they begin with the wrench that the field takes of the link itself. Links whose residuals no loop
+sweeps, the ground and others, gather in shorter records, which are zero before.
 """
 
 from __future__ import annotations
@@ -20,43 +20,45 @@ Array = NDArray[Any]
 KEPT = "w.x.data()["
 """What names of inputs that lie in a line's memory begin with."""
 GATHERED = 13
-"""Numbers that a link gathers: wrench (6), squares (4), force of the field (3)."""
-FORCE = 10
-"""Which of them is the first one of the field's force."""
-FIELDS = 27
-"""Numbers of a row: gathered ones, acceleration (6), D^-1 U across the joint (5), 1 / D, u, and the
-torque."""
-CONSTANTS = 25
-"""Constants of a row: moments and products of inertia about the origin (6), mass times centre (3),
-mass, placement (9), origin (3), squares of lever arms (3)."""
-_OPERATIONS, _OF_FORCE = 105, 20
-"""Operations for each row, and more where forces of the field are handed on."""
+"""Numbers that a link gathers: wrench (6), squares (4), force that its motion takes (3)."""
+SQUARES, FORCE, ACCELERATION, ACROSS = 6, 10, 13, 19
+"""Which of them are the first square and force, and the first acceleration and factor behind."""
+INVERSE, FORCED, TORQUE, MOMENT, SQUARE = 24, 25, 26, 27, 28
+FIELDS = 29
+"""Numbers of a record: gathered ones, acceleration (6), D^-1 U across the joint (5), 1 / D, u of
+the evaluation, and the torque; then the moment along the joint that is left, and the square of all
+that came together there, which the loop leaves for joints that hold."""
+CONSTANTS = 33
+"""Constants of a record: moments and products of inertia about the origin (6), mass times centre
+(3), mass, placement (9), origin (3), squares of lever arms (3), whether squares across the joint
+turn to be those about each axis (3), and those along it (3), whether the joint holds, and whether
+it is one of its own and repeats no other."""
+_OPERATIONS, _OF_FORCE, _OF_LINKS = 110, 20, 12
+"""Operations for each record, more where forces are handed on, and more where energy is links'."""
 STATEMENTS = 300
-"""Statements of the function, whatever the number of rows."""
+"""Statements of the function, whatever the number of records."""
 
 
 @dataclass(frozen=True)
 class SweptRow:
-    """Joints that are swept together, one in each lane.
+    """A record: joints that are swept together, one in each lane.
 
     Attributes:
+        joints: by lanes; None in lanes without one.
         place: of their numbers in the line's memory.
-        angle: the first one's place among angles; those of other lanes come behind it.
-        width: lanes with a joint.
-        hands_on: lanes that hand something on; none where all near links are the ground.
-        aligned: whether the near links are a row in the same lanes.
-        turned: squares of moments that turn to be those about the parent's axes: 0 those across the
-            axis, 1 those along it, 2 both.
-        near: places of what the near links gather, by lanes; in lanes without a joint the ground's.
+        angles: their places among angles, by lanes; None in lanes without a joint.
+        hands_on: lanes, from the first on, some of which hand something on; none where all near
+            links are the ground.
+        aligned: whether what the near links gather lies in the same lanes of another record.
+        near: places of what the near links gather, by lanes; the ground's where nothing counts.
         constants: shape (CONSTANTS, lanes).
     """
 
+    joints: tuple[int | None, ...]
     place: int
-    angle: int
-    width: int
+    angles: tuple[int | None, ...]
     hands_on: int
     aligned: bool
-    turned: tuple[int, int, int]
     near: tuple[int, ...]
     constants: Array
 
@@ -67,27 +69,31 @@ class Swept:
 
     Attributes:
         lanes: of every number.
-        rows: in the order in which they are swept, inwards.
+        rows: records in the order in which they are swept, inwards.
+        count: rows of the line's joints that these are made of.
         left: what is to be in memory: its place, its value, and the lanes that it fills. The rest
             is zero, also in lanes without a joint, and stays so.
         gathered: where records of links begin that only gather; they end at ``sums``.
         sums: place of the squared residual error, the allowance in units, and the answer's energy.
         places: size of the memory.
-        floats: whether forces of the field are handed on, for a floating base.
+        floats: whether forces are handed on, for a floating base.
+        closed: whether some joints hold, and the energy of the answer is that of the links.
     """
 
     lanes: int
     rows: tuple[SweptRow, ...]
+    count: int
     left: tuple[tuple[int, Expression, int], ...]
     gathered: int
     sums: int
     places: int
     floats: bool
+    closed: bool
 
     @property
     def operations(self) -> int:
         """How many operations the sweep takes, about."""
-        each = _OPERATIONS + _OF_FORCE * self.floats
+        each = _OPERATIONS + _OF_FORCE * self.floats + _OF_LINKS * self.closed
         apart = sum(row.hands_on for row in self.rows if not row.aligned)
         handed = GATHERED if self.floats else FORCE  # one by one where lanes part
         return each * len(self.rows) + handed * apart

@@ -1,32 +1,68 @@
-"""Residuals of a tree of hinges, swept inwards by a loop instead of statements.
+"""Residuals of hinges, swept inwards by a loop instead of statements.
 
 A certified line of a robot with many joints has more code than a first instruction cache holds, and
 then all of it is fetched in each evaluation. A certificate does the same for all joints: the line
-leaves in memory what the sweep of each row of joints needs (swept.py), and one function of the
-runtime sweeps all rows (templates/include/adagen/swept_rows.hpp). Its sums are those of
-certificate.py, to rounding.
+leaves in memory what the sweep of each joint needs (swept.py), and one function of the runtime
+sweeps them all, several in the lanes of a record (templates/include/adagen/swept_rows.hpp). Its
+sums are those of certificate.py and closed_certificate.py, to rounding.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.allowance import Allowance
 from adagen.executor.frames import Transform
-from adagen.executor.rows import Rows
 from adagen.executor.segments import Articulated
-from adagen.executor.state import State
-from adagen.executor.swept import CONSTANTS, FIELDS, FORCE, GATHERED, KEPT, Swept, SweptRow
+from adagen.executor.swept import (
+    ACCELERATION,
+    ACROSS,
+    CONSTANTS,
+    FIELDS,
+    FORCE,
+    FORCED,
+    GATHERED,
+    INVERSE,
+    KEPT,
+    MOMENT,
+    SQUARE,
+    SQUARES,
+    TORQUE,
+    Swept,
+    SweptRow,
+)
+from adagen.executor.swept_records import Record, records
 from adagen.graph import Expression
 
 Array = NDArray[Any]
 
 _ACROSS = [0, 1, 3, 4, 5]  # entries of a wrench that a hinge passes on
-_WAIT = 60  # cycles that a row takes, about
+_WAIT = 60  # cycles that a record takes, about
+
+
+class Residual(Protocol):
+    """What the residuals of links and joints begin with, in a certificate.
+
+    Joints hold where closures have their accelerations for unknowns: they pass on all of a wrench.
+    """
+
+    closed: bool
+
+    def wrench_at(self, link: int) -> Array:
+        """Return the wrench of a link but for what its acceleration takes, shape (6,)."""
+
+    def squares_at(self, link: int) -> Array:
+        """Return squares of moments and forces that act there by themselves, shape (4,)."""
+
+    def torque_at(self, j: int) -> Expression:
+        """Return the torque of a joint that is left for the residual."""
+
+    def holds(self, j: int) -> bool:
+        """Return whether a joint holds."""
 
 
 class SweptRows:
@@ -34,72 +70,101 @@ class SweptRows:
 
     Args:
         certificate: whose residuals they are.
-        joints: those that rows are named by, inwards.
+        residual: what these begin with.
+        by_level: joints that rows are named by, see ``levels``.
 
     Attributes:
         swept: what the line leaves.
     """
 
-    def __init__(self, certificate: Allowance, joints: Sequence[int]) -> None:
-        self.certificate, self.state = certificate, certificate.state
-        rows = self.state.rows
-        self._lanes = max(2, *(len(rows.lanes(j)) for j in joints))
-        self._places = {j + 1: k * FIELDS * self._lanes for k, j in enumerate(joints)}
-        end = len(joints) * FIELDS * self._lanes
-        near = (rows.name_of(link) if link else 0 for j in joints for link in rows.near_links(j))
-        #: links that no loop sweeps and that gather from those that it does
+    def __init__(
+        self, certificate: Allowance, residual: Residual, by_level: Sequence[Sequence[int]]
+    ) -> None:
+        self.certificate, self.residual, self.state = certificate, residual, certificate.state
+        self.by_level, rows = by_level, self.state.rows
+        self._lanes, found = records(rows, by_level)
+        size = FIELDS * self._lanes
+        self._places = {
+            j + 1: k * size + lane for k, record in enumerate(found) for j, lane in record
+        }
+        near = (rows.name_of(link) for level in by_level for j in level for link in self._near(j))
+        #: links that no loop sweeps and that gather from those that it does; the ground first
         self.gather = [link for link in dict.fromkeys([0, *near]) if link not in self._places]
+        end = len(found) * size
         for k, link in enumerate(self.gather):
             self._places[link] = end + k * GATHERED * self._lanes
         sums = end + len(self.gather) * GATHERED * self._lanes
         self._left: list[tuple[int, Expression, int]] = []
-        table, floats = tuple(self._row(j) for j in joints), bool(certificate.bases)
-        self.swept = Swept(self._lanes, table, tuple(self._left), end, sums, sums + 3, floats)
+        table, floats = tuple(map(self._record, found)), bool(certificate.bases)
+        count = sum(map(len, by_level))
+        left, closed = tuple(self._left), residual.closed
+        self.swept = Swept(self._lanes, table, count, left, end, sums, sums + 3, floats, closed)
 
-    def _row(self, j: int) -> SweptRow:
-        """Leave the numbers of a joint's row."""
-        rows, memory = self.state.rows, self.state.memory
-        width, count, place = len(rows.lanes(j)), len(rows.own(j)), self._places[j + 1]
-        body: Articulated = memory["articulated", j]
-        own = self.certificate.motion.link_force(j + 1)
-        numbers: dict[int, Expression] = dict(enumerate(own))
-        if self.certificate.bases:
-            numbers |= dict(enumerate(own[3:], start=FORCE))
-        inverse = body.factors.inverses[0]
-        if count < width:  # a lane that repeats another adds nothing
-            inverse = inverse * self.state.graph.constant((1,) * count + (0,) * (width - count))
-        rest = [*memory["a", j + 1][:, 0], *body.scaled[0, _ACROSS]]
-        rest += [inverse, body.u[0, 0], *self.state.torques(j)[:, 0]]
-        numbers |= dict(enumerate(rest, start=GATHERED))
-        self._left += [
-            (place + k * self._lanes, x, width)
-            for k, x in numbers.items()
-            if k < GATHERED or x.constant != 0  # what is gathered is added to it
-        ]
-        links = rows.near_links(j)
-        aligned = _aligned(rows, j)
-        near = [self._gathers(link) for link in links[:count]]
-        near += [self._places[0]] * (self._lanes - count)
-        constants = self._constants(j, width)
-        hands_on = count if any(links) else 0
-        first = place, self._angle(j), width, hands_on, aligned
-        return SweptRow(*first, self._turned(j), tuple(near), constants)
+    def _near(self, j: int) -> list[int]:
+        """The near links of a row, those of idle lanes left out."""
+        rows = self.state.rows
+        return [link for link in rows.near_links(j)[: len(rows.own(j))] if link]
 
-    def _turned(self, j: int) -> tuple[int, int, int]:
-        """Which squares of moments turn to be which, as allowances have them (frames.py)."""
-        x: Transform = self.state.memory["X", j]
-        across, _, along = self.state.constants(np.eye(3))
-        found = zip(x.rotation.magnitudes(across), x.rotation.magnitudes(along), strict=True)
-        first, second, third = (2 if a == b else int(b.constant == 1) for a, b in found)
-        return first, second, third
+    def _record(self, record: Record) -> SweptRow:
+        """Leave the numbers of a record."""
+        rows, lanes = self.state.rows, self._lanes
+        (first, lane), *_ = record
+        place, ground = self._places[first + 1] - lane, self._places[0]
+        joints, angles = list[int | None]([None] * lanes), list[int | None]([None] * lanes)
+        near, constants = [ground] * lanes, self.state.zeros(CONSTANTS, lanes)
+        hands_on = 0
+        for j, lane in record:
+            width = len(rows.lanes(j))
+            self._leave(j)
+            joints[lane : lane + width] = rows.lanes(j)
+            angles[lane : lane + width] = self._angles(j)
+            constants[:, lane : lane + width] = self._constants(j)
+            links = rows.near_links(j)[: len(rows.own(j))]
+            near[lane : lane + len(links)] = [self._gathers(link) for link in links]
+            if any(links):
+                hands_on = max(hands_on, lane + len(links))
+        beside = near[lane] - lane
+        aligned = beside % lanes == 0 and all(
+            self._places_beside(j) and near[lane] == beside + lane for j, lane in record
+        )
+        near = [beside + lane for lane in range(lanes)] if aligned else near
+        inside = tuple(joints), place, tuple(angles), hands_on, aligned
+        return SweptRow(*inside, tuple(near), constants)
 
-    def _angle(self, j: int) -> int:
-        """The place of a row's first angle."""
+    def _places_beside(self, j: int) -> bool:
+        """Whether the joints of a row hand on to a row in the same lanes."""
+        rows = self.state.rows
+        links, count = rows.near_links(j), len(rows.own(j))
+        return any(links) and rows.as_kept(links) and len(set(links[:count])) == count
+
+    def _leave(self, j: int) -> None:
+        """Leave the numbers of a row."""
+        rows, memory, graph = self.state.rows, self.state.memory, self.state.graph
+        width, count = len(rows.lanes(j)), len(rows.own(j))
+        numbers = dict(enumerate(self.residual.wrench_at(j + 1)))
+        some = dict(enumerate(self.residual.squares_at(j + 1), start=SQUARES))
+        some |= dict(enumerate(memory["a", j + 1][:, 0], start=ACCELERATION))
+        numbers[TORQUE] = self.residual.torque_at(j)
+        if not self.residual.holds(j):
+            body: Articulated = memory["articulated", j]
+            inverse = body.factors.inverses[0]
+            if count < width:  # a lane that repeats another adds nothing
+                inverse = inverse * graph.constant((1,) * count + (0,) * (width - count))
+            some |= dict(enumerate(body.scaled[0, _ACROSS], start=ACROSS))
+            some[INVERSE] = inverse
+            if not self.residual.closed:
+                some[FORCED] = body.u[0, 0]
+        numbers |= {k: x for k, x in some.items() if x.constant != 0}
+        for k, x in sorted(numbers.items()):
+            self._left.append((self._places[j + 1] + k * self._lanes, x, width))
+
+    def _angles(self, j: int) -> list[int]:
+        """The places of a row's angles, by lanes."""
         (angle, *_), _ = self.state.configuration(j)
         lanes = [angle.graph.lane(angle, k) for k in range(angle.node.width)]
         place = self.state.place_of_angles(tuple(lanes))
         assert isinstance(place, int)  # named otherwise where lines are only counted
-        return place
+        return [place + k for k in range(len(lanes))]
 
     def _gathers(self, link: int) -> int:
         """The place of what a link gathers, in its lane."""
@@ -109,9 +174,9 @@ class SweptRows:
         lane = 0 if row is None else row.lanes.index(link - 1)
         return self._places[self.state.rows.name_of(link)] + lane
 
-    def _constants(self, j: int, width: int) -> Array:
-        """The constants of a row, in as many lanes as all have."""
-        state, graph = self.state, self.state.graph
+    def _constants(self, j: int) -> Array:
+        """The constants of a row, shape (CONSTANTS, its lanes)."""
+        state, graph, width = self.state, self.state.graph, len(self.state.rows.lanes(j))
         inertia = self.certificate.motion.link_inertia(j + 1)
         x: Transform = state.memory["X", j]
         arms = [[*x.origin[:k], *x.origin[k + 1 :]] for k in range(3)]
@@ -121,20 +186,50 @@ class SweptRows:
             *state.rows.of_joint(j, lambda joint: joint.rotation).flat,
             *x.origin,
             *map(self.certificate.square, arms),
+            *self._turned(x),
+            graph.constant(int(self.residual.holds(j))),
+            graph.constant(1),
         ]
-        found = state.zeros(CONSTANTS, self._lanes)
+        found = state.zeros(CONSTANTS, width)
         for k, number in enumerate(numbers):
-            found[k, :width] = [graph.lane(number, lane) for lane in range(width)]
+            found[k] = [graph.lane(number, lane) for lane in range(width)]
+        found[-1, len(state.rows.own(j)) :] = graph.constant(0)
         return found
+
+    def _turned(self, x: Transform) -> list[Expression]:
+        """Which squares of moments turn to be those about each axis: across the joint, along it.
+
+        Allowances take the larger of them (frames.py).
+        """
+        across, _, along = self.state.constants(np.eye(3))
+        return [*x.rotation.magnitudes(across), *x.rotation.magnitudes(along)]
 
     # -- what it gives ----------------------------------------------------------------------------
 
     def gathered(self, link: int) -> tuple[Array, Array, Array]:
-        """Return what a link gathers: wrench (6), squares (4), and the field's force (3)."""
+        """Return what a link gathers: wrench (6), squares (4), and the motion's force (3)."""
         first, width = self._places[link], len(self.state.rows.lanes(link - 1))
         places = [first + k * self._lanes for k in range(GATHERED)]
         found = np.array([self._given(place, width) for place in places], dtype=object)
-        return found[:6], found[6:FORCE], found[FORCE:]
+        return found[:SQUARES], found[SQUARES:FORCE], found[FORCE:]
+
+    def held(self, j: int) -> tuple[Expression, Expression]:
+        """Return the moment along a joint that holds, and the square of what makes it up."""
+        first, width = self._places[j + 1], len(self.state.rows.lanes(j))
+        moment, square = (self._given(first + k * self._lanes, width) for k in (MOMENT, SQUARE))
+        return moment, square
+
+    def masses(self) -> dict[int, Array]:
+        """Return the masses that links which gather carry by joints in the loop, shape (1,)."""
+        rows, memory = self.state.rows, self.state.memory
+        looped = [j for level in self.by_level for j in level]
+        for j in looped:
+            memory["mass", j + 1] = np.array([rows.mass(j + 1)], dtype=object)
+        memory.update({("mass", link): self.state.zeros(1) for link in self.gather[1:]})
+        for j in looped:
+            if any(rows.near_links(j)):
+                rows.hand_on("mass", j, memory["mass", j + 1])
+        return {link: memory["mass", link] for link in self.gather[1:]}
 
     def summed(self) -> list[Expression]:
         """Return squared residual error, allowance in units, and energy of the answer."""
@@ -146,23 +241,3 @@ class SweptRows:
             f"{KEPT}{place}]", last + _WAIT * len(self.swept.rows), width
         )
         return found
-
-
-def by_depth(state: State, inwards: Sequence[int]) -> list[int]:
-    """Return joints inwards so that those that do not wait for each other come together.
-
-    Args:
-        state: of a process.
-        inwards: the joints that rows are named by, each behind those beyond it.
-    """
-    depths, rows = dict[int, int](), state.rows
-    for j in reversed(inwards):
-        near = [rows.name_of(link) - 1 for link in rows.near_links(j) if link]
-        depths[j] = 1 + max((depths.get(each, 0) for each in near), default=0)
-    return sorted(inwards, key=lambda j: -depths[j])
-
-
-def _aligned(rows: Rows, j: int) -> bool:
-    """Whether the near links of a joint's row are a row in the same lanes."""
-    links, count = rows.near_links(j), len(rows.own(j))
-    return any(links) and rows.as_kept(links) and len(set(links[:count])) == count

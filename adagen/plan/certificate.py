@@ -70,17 +70,20 @@ def certified(plan: Plan) -> Plan:
 def looped(plan: Plan, rows: int) -> Plan | None:
     """Return a certified plan whose straight line has a loop sweep residuals of its outermost rows.
 
-    None where it cannot: a loop sweeps trees of hinges without rotors, whose base may float, in one
-    process. Nothing but joints pushes their links, whose inertias are constant.
+    None where it cannot: a loop sweeps trees of hinges without rotors, whose base may float, and
+    hinges beyond the tops of closed loops, in one process. Nothing but joints and loops pushes
+    their links, whose inertias are constant.
 
     Args:
         plan: the plan.
         rows: how many; where there are fewer, all.
     """
-    if not plan.certified or plan.several or plan.closed or plan.reproducible:
+    if not plan.certified or plan.several or plan.reproducible:
         return None
     if has_inner_root(plan) or any(plan.steps_of(Join)) or plan.sets_inertias or plan.wrenches:
         return None
+    if plan.closed:
+        return plan.with_looped(rows)
     hinges = [joint for joint in plan.joints if joint.kind != "floating" or joint.parent]
     if not hinges or any(
         joint.kind != "revolute" or joint.rotor_inertia or joint.lent for joint in hinges

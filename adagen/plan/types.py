@@ -385,4 +385,6 @@ class Plan:
         def changed(steps: tuple[Step, ...]) -> tuple[Step, ...]:
             return tuple(replace(s, looped=rows) if isinstance(s, Certify) else s for s in steps)
 
-        return replace(self, processes=tuple(each.changed(changed) for each in self.processes))
+        # What is done again in rare poses is long: it is never at hand.
+        processes = tuple(replace(p, steps=changed(p.steps)) for p in self.processes)
+        return replace(self, processes=processes)

@@ -64,7 +64,12 @@ class Arrangement:
 
 
 def arranged(
-    process: Process, simulated: Simulated, longest: int, costs: StepCosts | None
+    process: Process,
+    simulated: Simulated,
+    longest: int,
+    costs: StepCosts | None,
+    *,
+    kept: int = 0,
 ) -> Arrangement:
     """Return the arrangement of a process.
 
@@ -73,6 +78,7 @@ def arranged(
         simulated: it, after all steps.
         longest: values of one function; 0 for the default.
         costs: by which a single state is put in order; None where many are solved at once.
+        kept: places that are left alone: those of a loop that does not run in this line.
     """
     machine, ends = simulated.machine, simulated.ends
     pending: list[int] = []
@@ -105,7 +111,7 @@ def arranged(
     chunks = [chunk for each in (*stretches.values(), after) for chunk in each.chunks]
     computed = (index for chunk in chunks for index in chunk.values)
     turns = {index: turn for turn, index in enumerate(computed)}
-    return Arrangement(stretches, _assign_places(machine, chunks, turns), turns, after)
+    return Arrangement(stretches, _assign_places(machine, chunks, turns, kept), turns, after)
 
 
 def _waiting(machine: Machine, alive: Sequence[int]) -> set[int]:
@@ -154,17 +160,19 @@ def looked_at(check: Check, turns: Mapping[int, int]) -> list[int]:
     return sorted(indices, key=turns.__getitem__)
 
 
-def _assign_places(machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int, int]) -> int:
+def _assign_places(
+    machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int, int], kept: int
+) -> int:
     """Give each value that is used beyond its chunk a place, a wide one several.
 
-    Places are used again.
+    Places are used again, but for the first ones that are ``kept``.
     """
     users = _users_beyond(machine, chunks, turns)
     nodes = machine.graph.nodes
     free: dict[int, list[int]] = defaultdict(list)  # by width; wide values are aligned
     swept = machine.swept
     left = {} if swept is None else swept.first_places()
-    count = 0 if swept is None else swept.places
+    count = kept if swept is None else swept.places
     place: dict[int, int] = {}
     for k, chunk in enumerate(chunks):
         for index in chunk.values:

@@ -58,15 +58,17 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
     processes = [process for each in plans for process in each.processes]
     wide = any(s.machine.rows.rows or s.machine.swept is not None for s in line)
     at_once = not (symbols.batch or symbols.embedded)  # sines of several angles in a register
+    kept = max((s.machine.swept.places for s in line if s.machine.swept is not None), default=0)
     rows = [
-        _ProcessText(symbols, p, process, simulated, chunk, at_once=at_once)
+        _ProcessText(symbols, p, process, simulated, chunk, at_once=at_once, kept=kept)
         for p, (process, simulated) in enumerate(zip(processes, line, strict=True))
     ]
     angles = max(len(row.machine.angles) for row in rows)
     angles = -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE if at_once else angles
-    texts = [row.values() for row in rows]
-    functions = any(row.calls_functions() for row in rows)
     swept = [row.machine.swept for row in rows if row.machine.swept is not None]
+    angle_count = angles + max((one.lanes for one in swept), default=0)
+    texts = [row.values(angle_count) for row in rows]
+    functions = any(row.calls_functions() for row in rows)
     own = plan.reproducible  # sines and tangents, not those of the C library
     again = texts[len(plan.processes) :]
     each_its_way = own and bool(symbols.batch and again)
@@ -87,7 +89,7 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         else [(text, "_again", "kRecoverParts") for text in again[:1]],
         "places": max((row.arrangement.places for row in rows), default=0),
         "swept": bool(swept),
-        "angle_count": angles + max((one.lanes for one in swept), default=0),
+        "angle_count": angle_count,
         "wide": wide,
         "as_it_stands": not symbols.batch,
         "wide_functions": ["unrolled_wide_functions.hpp"] * (functions and wide),
@@ -126,6 +128,7 @@ class _ProcessText:
         chunk: int,
         *,
         at_once: bool,
+        kept: int,
     ) -> None:
         self.symbols, self.p, self.machine = symbols, p, simulated.machine
         self.at_once = at_once
@@ -134,15 +137,15 @@ class _ProcessText:
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
         self.arrangement: Arrangement = arranged(
-            self.process, simulated, chunk, None if symbols.batch else symbols.costs
+            self.process, simulated, chunk, None if symbols.batch else symbols.costs, kept=kept
         )
         self.text = Text(self.graph, symbols.plan.scalar, self._only_users())
         self.results = Results(symbols, process, self.owner, self.machine, self.text)
         self.followers = self._followers()
         self.functions: list[dict[str, object]] = []
 
-    def values(self) -> dict[str, object]:
-        """Return the template's values for the process."""
+    def values(self, angles: int) -> dict[str, object]:
+        """Return the template's values for the process, which has memory for so many angles."""
         owned = list(self.process.owns)
         batch = self.symbols.batch
         return {
@@ -154,7 +157,7 @@ class _ProcessText:
             "read": read_joints(self.symbols, self.process),
             "owned": owned,
             "angles": self._places_of_angles() if self.at_once else [],
-            "swept": swept_values(self.machine.swept, self.text),
+            "swept": swept_values(self.machine.swept, self.text, angles - 1),
         }
 
     def calls_functions(self) -> bool:

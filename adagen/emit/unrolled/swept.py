@@ -33,22 +33,28 @@ def _given(op: str) -> bool:
 
 def sweep_line(swept: Swept, p: int) -> str:
     """Return the line that sweeps residuals of process p."""
-    kind = f"{TYPES[swept.lanes]}, {str(swept.floats).lower()}"
+    kind = ", ".join([TYPES[swept.lanes], *(str(x).lower() for x in (swept.floats, swept.closed))])
     places = f"{swept.gathered}, {swept.sums}"
     return f"sweep_rows<{kind}>(w, kSwept_{p}, kSweptConstants_{p}, {places});"
 
 
-def swept_values(swept: Swept | None, text: Text) -> dict[str, object]:
-    """Return the template's values for the tables."""
+def swept_values(swept: Swept | None, text: Text, zero: int) -> dict[str, object]:
+    """Return the template's values for the tables.
+
+    Args:
+        swept: what a line leaves; None for none.
+        text: of its values.
+        zero: a place among angles whose sine and cosine are zero.
+    """
     if swept is None:
         return {}
     rows = []
     for row in swept.rows:
+        angles = [zero if k is None else k for k in row.angles]
         near = ", ".join(map(str, row.near))
-        turned = ", ".join(map(str, row.turned))
         beside = str(row.aligned).lower()
-        first = f"{row.place}, {row.angle}, {row.width}, {row.hands_on}, {beside}"
-        rows.append(f"{{{first}, {{{turned}}}, {{{near}}}}}")
+        places = ", ".join(map(str, angles))
+        rows.append(f"{{{row.place}, {row.hands_on}, {beside}, {{{places}}}, {{{near}}}}}")
     numbers = [
         [text.literal(x.node.value) for x in numbers]
         for row in swept.rows

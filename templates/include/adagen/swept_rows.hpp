@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "common.hpp"
 #include "sample/unrolled.hpp"
@@ -13,16 +14,14 @@
 
 namespace {
 
-// Joints whose residuals are swept together, one in each lane.
+// A record: joints whose residuals are swept together, one in each lane.
 template <int lanes>
 struct SweptRow {
-  int place;                  // of their numbers in the workspace
-  int angle;                  // the first one's place among angles
-  int width;                  // lanes with a joint
-  int count;                  // lanes that have near links; none where all of these are the ground
-  bool beside;                // whether the near links are a row in the same lanes
-  std::array<short, 3> from;  // squares that turn to be x, y, z: across the axis, along it, both
-  std::array<int, lanes> near;  // where the near links' numbers begin, those of the ground, too
+  int place;    // of their numbers in the workspace
+  int count;    // lanes that may have near links; none where all of these are the ground
+  bool beside;  // whether the near links are a record in the same lanes
+  std::array<short, lanes> angle;  // places among angles; of what is zero in lanes without a joint
+  std::array<int, lanes> near;     // where the near links' numbers begin, those of the ground, too
 };
 
 // Numbers of a row, in the order in which they lie in the workspace, kWidth<T> lanes each. Those
@@ -30,12 +29,14 @@ struct SweptRow {
 struct SweptNumber {
   static constexpr int kWrench = 0;   // that of the reference field, of the link and beyond
   static constexpr int kSquares = 6;  // of moments and forces that were added up beyond
-  static constexpr int kForce = 10;  // force that the reference field takes, of the link and beyond
+  static constexpr int kForce = 10;   // force that the motion takes, of the link and beyond
   static constexpr int kAcceleration = 13;
   static constexpr int kAcross = 19;   // D^-1 U but for the entry along the joint
   static constexpr int kInverse = 24;  // 1 / D, zero in lanes that repeat others
   static constexpr int kMissing = 25;  // u of the evaluation
   static constexpr int kTorque = 26;
+  static constexpr int kMoment = 27;  // for joints that hold: the moment along the joint, and
+  static constexpr int kSquare = 28;  // the square of all that came together there
 };
 
 // Constants of a row likewise.
@@ -46,7 +47,11 @@ struct SweptConstant {
   static constexpr int kPlacement = 10;  // by rows
   static constexpr int kOrigin = 19;
   static constexpr int kLevers = 22;  // squares of lever arms
-  static constexpr int kAll = 25;
+  static constexpr int kAcross = 25;  // squares across the joint that turn to be x, y, z: 1; or 0
+  static constexpr int kAlong = 28;   // likewise those along it
+  static constexpr int kHolds = 31;   // whether the joint passes on all of a wrench
+  static constexpr int kCounts = 32;  // zero in lanes that repeat others
+  static constexpr int kAll = 33;
 };
 
 template <class T>
@@ -59,17 +64,52 @@ ADAGEN_INLINE T larger_of(const T& a, const T& b) {
   return a > b ? a : b;
 }
 
-// A vector of the child's axes in the parent's: turned about z, then as the joint is placed.
+// A vector of the child's axes in the parent's.
 template <class T>
-ADAGEN_INLINE void turn_swept(const T (&u)[3], const T& c, const T& s, const T (&placed)[3][3],
-                              T (&out)[3]) {
-  const T x = c * u[0] - s * u[1], y = s * u[0] + c * u[1];
-  ADAGEN_FOR (k, 0, 3) out[k] = placed[k][2] * u[2] + placed[k][0] * x + placed[k][1] * y;
+ADAGEN_INLINE void turn_swept(const T (&u)[3], const T (&turn)[3][3], T (&out)[3]) {
+  ADAGEN_FOR (k, 0, 3) out[k] = turn[k][2] * u[2] + turn[k][0] * u[0] + turn[k][1] * u[1];
 }
 
-// Inwards: residuals of the links of a row, handed on through its joints, and their energy. What is
-// known of the links themselves is added up before what comes from beyond, which takes longer.
-template <bool floats, class T>
+// Zeros around a 1, which a load brings into any lane.
+template <int lanes>
+[[maybe_unused]] constexpr std::array<Real, static_cast<std::size_t>(2 * lanes - 1)> kOneLane = [] {
+  std::array<Real, static_cast<std::size_t>(2 * lanes - 1)> found{};
+  found[static_cast<std::size_t>(lanes - 1)] = 1;
+  return found;
+}();
+
+// One number for each lane.
+template <class T, std::size_t... lane>
+ADAGEN_INLINE T of_angles(const Real* from, const std::array<short, kWidth<T>>& places,
+                          std::index_sequence<lane...>) {
+  return T{from[places[lane]]...};
+}
+
+// Adds what lanes hand on to lanes of other records; those of one record follow each other.
+template <int gathered, class T>
+ADAGEN_INLINE void hand_on_apart(Real* const memory, const SweptRow<kWidth<T>>& row,
+                                 const T (&out)[SweptNumber::kAcceleration]) {
+  constexpr int W = kWidth<T>;
+  Real each[gathered * W];
+  ADAGEN_FOR (k, 0, gathered) put(out[k], each + k * W);
+  for (int lane = 0; lane < row.count;) {
+    const int place = row.near[static_cast<std::size_t>(lane)], first = place - place % W;
+    Real* const near = memory + first;
+    T sum[gathered];
+    ADAGEN_FOR (k, 0, gathered) sum[k] = load<T>(near + k * W);
+    int next = place;
+    do {
+      const T here = load<T>(kOneLane<W>.data() + (W - 1 - next % W));
+      ADAGEN_FOR (k, 0, gathered) sum[k] += here * each[k * W + lane];
+      next = ++lane < row.count ? row.near[static_cast<std::size_t>(lane)] : -1;
+    } while (next >= first && next < first + W);
+    ADAGEN_FOR (k, 0, gathered) put(sum[k], near + k * W);
+  }
+}
+
+// Inwards: residuals of the links of a record, handed on through its joints, and their energy. What
+// is known of the links themselves is added up before what comes from beyond, which takes longer.
+template <bool floats, bool closed, class T>
 ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row, const T& c,
                              const T& s, const Real* const constant, SweptSums<T>& sums) {
   using Number = SweptNumber;
@@ -79,8 +119,9 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
   const auto number = [own](int k) { return load<T>(own + k * W); };
   const auto known = [constant](int k) { return load<T>(constant + k * W); };
 
-  T moment[3], force[3], squares[4];
+  T moment[3], force[3], squares[4], field[3];
   {
+    T energy{};
     T alpha[3], a[3], centre[3];
     const T mass = known(Constant::kMass);
     ADAGEN_FOR (k, 0, 3) {
@@ -99,48 +140,62 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
       moment[k] = number(Number::kWrench + k) + taken;
       const T pushed = mass * a[k] + alpha[i] * centre[m] - alpha[m] * centre[i];
       force[k] = number(Number::kWrench + 3 + k) + pushed;
+      if constexpr (floats) field[k] = number(Number::kForce + k) + pushed;
+      if constexpr (closed) energy += alpha[k] * taken + a[k] * pushed;
       squares[k] = number(Number::kSquares + k) + moment[k] * moment[k];
     }
+    if constexpr (closed) sums.answer += energy * known(Constant::kCounts);
   }
   squares[3] = (number(Number::kSquares + 3) + force[0] * force[0]) +
                (force[1] * force[1] + force[2] * force[2]);
 
-  const T torque = number(Number::kTorque), inverse = number(Number::kInverse),
-          u = number(Number::kMissing);
+  const T torque = number(Number::kTorque), inverse = number(Number::kInverse);
   const T driven = torque - moment[2];
   sums.seen += driven * driven * inverse;
   sums.rounded += squares[2] * inverse;
-  sums.answer += u * u * inverse;
-  T field[3];
-  if constexpr (floats) {
-    ADAGEN_FOR (k, 0, 3) field[k] = number(Number::kForce + k);
+  T passed = torque, along = torque * torque;
+  if constexpr (closed) {
+    const auto holds = known(Constant::kHolds) > Real(0);
+    passed = holds ? moment[2] : passed;
+    along = holds ? squares[2] : along;
+    put(moment[2], own + Number::kMoment * W);
+    put(squares[2], own + Number::kSquare * W);
+  } else {
+    const T u = number(Number::kMissing);
+    sums.answer += u * u * inverse;
   }
-  // The next evaluation begins with what its line leaves, and without squares.
-  ADAGEN_FOR (k, 0, 4) put(T{}, own + (Number::kSquares + k) * W);
+  // The next evaluation begins with what its line leaves, and with nothing else, in no lane: what
+  // is not finite may have come into all of them.
+  ADAGEN_FOR (k, 0, gathered) put(T{}, own + k * W);
   if (row.count == 0) return;
 
-  T placed[3][3], out[Number::kAcceleration], turned[3], moved[3];
+  // Turned about z, then as the joint is placed.
+  T turn[3][3], out[Number::kAcceleration], turned[3], moved[3];
   ADAGEN_FOR (k, 0, 3) {
-    ADAGEN_FOR (i, 0, 3) placed[k][i] = known(Constant::kPlacement + 3 * k + i);
+    const T x = known(Constant::kPlacement + 3 * k), y = known(Constant::kPlacement + 3 * k + 1);
+    turn[k][0] = c * x + s * y;
+    turn[k][1] = c * y - s * x;
+    turn[k][2] = known(Constant::kPlacement + 3 * k + 2);
   }
   moment[0] += number(Number::kAcross) * driven;
   moment[1] += number(Number::kAcross + 1) * driven;
-  moment[2] = torque;
+  moment[2] = passed;
   ADAGEN_FOR (k, 0, 3) force[k] += number(Number::kAcross + 2 + k) * driven;
-  turn_swept(force, c, s, placed, moved);
-  turn_swept(moment, c, s, placed, turned);
-  const T across = larger_of(squares[0], squares[1]), along = torque * torque;
-  const T from[3] = {across, along, larger_of(across, along)};
+  turn_swept(force, turn, moved);
+  turn_swept(moment, turn, turned);
+  const T across = larger_of(squares[0], squares[1]);
   ADAGEN_FOR (k, 0, 3) {
     const int i = (k + 1) % 3, m = (k + 2) % 3;
     out[Number::kWrench + k] = turned[k] + known(Constant::kOrigin + i) * moved[m] -
                                known(Constant::kOrigin + m) * moved[i];
     out[Number::kWrench + 3 + k] = moved[k];
-    out[Number::kSquares + k] = from[row.from[k]] + known(Constant::kLevers + k) * squares[3];
+    const T from =
+        larger_of(T(across * known(Constant::kAcross + k)), T(along * known(Constant::kAlong + k)));
+    out[Number::kSquares + k] = from + known(Constant::kLevers + k) * squares[3];
   }
   out[Number::kSquares + 3] = squares[3];
   if constexpr (floats) {
-    turn_swept(field, c, s, placed, turned);
+    turn_swept(field, turn, turned);
     ADAGEN_FOR (k, 0, 3) out[Number::kForce + k] = turned[k];
   }
   if (row.beside) {
@@ -148,17 +203,15 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
     ADAGEN_FOR (k, 0, gathered) put(T(load<T>(near + k * W) + out[k]), near + k * W);
     return;
   }
-  for (int lane = 0; lane < row.count; ++lane) {
-    Real* const near = memory + row.near[static_cast<std::size_t>(lane)];
-    ADAGEN_FOR (k, 0, gathered) near[k * W] += out[k][lane];
-  }
+  hand_on_apart<gathered>(memory, row, out);
 }
 
-// Sweeps the residuals of rows inwards; other links gather what these hand on.
+// Sweeps the residuals of records inwards; other links gather what these hand on. In robots with
+// closed loops some joints hold, and the energy of the answer is found link by link.
 //
 // gathered: where what they gather begins, up to the sums: the squared error that shows, the
 // allowance for rounding in squares of units, and the answer's energy.
-template <class T, bool floats, std::size_t rows, std::size_t numbers>
+template <class T, bool floats, bool closed, std::size_t rows, std::size_t numbers>
 ADAGEN_NOINLINE void sweep_rows(Workspace& w, const std::array<SweptRow<kWidth<T>>, rows>& swept,
                                 const std::array<Real, numbers>& constants, int gathered,
                                 int sums) {
@@ -168,14 +221,11 @@ ADAGEN_NOINLINE void sweep_rows(Workspace& w, const std::array<SweptRow<kWidth<T
   std::fill(memory + gathered, memory + sums, Real(0));
   SweptSums<T> found{};
   const Real* constant = constants.data();
-  T lane{};
-  ADAGEN_FOR (k, 0, W) lane[k] = Real(k);
+  constexpr auto lanes = std::make_index_sequence<kWidth<T>>{};
   for (const SweptRow<W>& row : swept) {
-    // Beyond the row's lanes are angles of other joints, or none.
-    const auto has_joint = lane < Real(row.width);
-    const T c = has_joint ? load<T>(w.cosine.data() + row.angle) : T{};
-    const T s = has_joint ? load<T>(w.sine.data() + row.angle) : T{};
-    sweep_row<floats>(memory, row, c, s, constant, found);
+    const T c = of_angles<T>(w.cosine.data(), row.angle, lanes);
+    const T s = of_angles<T>(w.sine.data(), row.angle, lanes);
+    sweep_row<floats, closed>(memory, row, c, s, constant, found);
     constant += step;
   }
   memory[sums] = across<W>(found.seen);
