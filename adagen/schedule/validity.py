@@ -17,7 +17,8 @@ def validate(schedule: Schedule, topology: Topology) -> None:
 
     Every joint appears once; the joints below a node are exactly those of its partial chain, each
     on its side; ranges follow III-C (halves, other splits or shared ranges alike) or, where
-    processes gather, lie within those above; numbers of boundary joints and, unless they are those
+    processes gather, lie within those above, and processes that exchange or gather may leave others
+    idle; numbers of boundary joints and, unless they are those
     of the program that is emitted, loads and makespan are those of the tree.
 
     Raises:
@@ -65,7 +66,9 @@ def _check_tree(root: Node, topology: Topology) -> None:
 
 
 def _check_ranges(schedule: Schedule, topology: Topology) -> None:
-    if schedule.root.processes != (0, schedule.processes) or schedule.processes < 1:
+    first, last = schedule.root.processes
+    some = schedule.meeting != "join" and 1 <= last <= schedule.processes  # others are idle
+    if first != 0 or not (some or last == schedule.processes >= 1):
         raise InvalidSchedule(f"the root must have the processes [0, {schedule.processes}]")
     for node in preorder(schedule.root):
         ranges = [child.processes for child in node.children]

@@ -21,9 +21,9 @@ def schedule_from_json(
 ) -> Schedule:
     """Return the schedule of a JSON text, checked and priced.
 
-    Read are ``root``: joints by name, their ``processes`` and ``children``; and ``meeting``, if it
-    is there. Which side a child is on follows from the robot; where the file tells it, it must
-    agree.
+    Read are ``root``: joints by name, their ``processes`` and ``children``; and, if they are there,
+    ``meeting`` and the number of ``processes``, where some are idle. Which side a child is on
+    follows from the robot; where the file tells it, it must agree.
 
     Args:
         text: as written by :func:`adagen.schedule.schedule_to_json`, or by a person.
@@ -50,6 +50,7 @@ def schedule_from_json(
         raise InputError('not a schedule: expected {"root": {"joint": ..., ...}}', file)
     try:
         found = as_schedule(_read(root, topology), topology, profile, "file", _meeting(data))
+        found = _with_idle(found, data)
         return replace(found, shape=_shape(data), fan=_fan(data), parts=_parts(data))
     except InvalidSchedule as error:
         raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
@@ -57,9 +58,7 @@ def schedule_from_json(
 
 def _read_gathered(data: dict[str, Any], topology: Topology, profile: CostProfile) -> Schedule:
     """The schedule of processes that gather; its tree stands for nothing."""
-    gathered, processes = data["gathered"], data.get("processes")
-    if not isinstance(processes, int) or isinstance(processes, bool) or not 1 <= processes <= 1024:
-        raise InvalidSchedule('"processes" is a number from 1 to 1024')
+    gathered, processes = data["gathered"], _processes(data)
     if not isinstance(gathered, dict) or not isinstance(gathered.get("owners"), dict):
         raise InvalidSchedule('"gathered" holds "roots" and "owners"')
     index = {name: j + 1 for j, name in enumerate(topology.names)}
@@ -89,6 +88,24 @@ def _read_gathered(data: dict[str, Any], topology: Topology, profile: CostProfil
         lower_bound=0.0,
         shape=_shape(data),
     )
+
+
+def _with_idle(found: Schedule, data: dict[str, Any]) -> Schedule:
+    """A schedule with the processes that an exchange leaves idle, of which its tree has none."""
+    if found.meeting != "exchange" or "processes" not in data:
+        return found
+    idle = _processes(data) - found.processes
+    if idle < 0:
+        raise InvalidSchedule('"processes" are no fewer than those of the root')
+    loads = (*found.loads, *([0.0] * idle))
+    return replace(found, processes=found.processes + idle, loads=loads)
+
+
+def _processes(data: dict[str, Any]) -> int:
+    processes = data.get("processes")
+    if type(processes) is not int or not 1 <= processes <= 1024:
+        raise InvalidSchedule('"processes" is a number from 1 to 1024')
+    return processes
 
 
 def _shape(data: dict[str, Any]) -> str:

@@ -11,12 +11,20 @@ import pytest
 
 from adagen.cost import Timeline, timeline
 from adagen.emit.predicted import priced_program
+from adagen.errors import InputError
 from adagen.model import Mimic, Model
 from adagen.plan import make_plan
 from adagen.program import Program
-from adagen.schedule import CostProfile, Schedule, Topology, load_profile, validate
+from adagen.schedule import (
+    CostProfile,
+    Schedule,
+    Topology,
+    load_profile,
+    schedule_to_json,
+    validate,
+)
 from adagen.schedule.tree import preorder
-from adagen.search import best_schedule
+from adagen.search import best_schedule, schedule_from_json
 from adagen.search.chain_exchange import ChainExchange, Play, numbers_of_processes
 from adagen.search.price import played
 from tests.models import binary, serial_chain
@@ -181,3 +189,21 @@ def test_bounds_of_long_chains_in_parts_are_close(processes: int) -> None:
     found = chains.best(processes, processes, play)
     assert found is not None
     assert chains.least(processes, processes) > play(found)[1].makespan / 1.15
+
+
+def test_processes_that_an_exchange_leaves_idle_are_in_its_file() -> None:
+    model, processes = serial_chain(150), 8
+    topology, found = Topology.of(model), best_schedule(model, processes, PROFILE)
+    assert found.meeting == "exchange" and found.root.processes == (0, 4)
+    validate(found, topology)
+    text = schedule_to_json(found, topology)
+    read = schedule_from_json(text, topology, PROFILE)
+    validate(read, topology)
+    assert read.processes == processes
+    trees = ([(n.joint, n.processes) for n in preorder(s.root)] for s in (read, found))
+    assert next(trees) == next(trees)
+    assert played(model, read, PROFILE) == played(model, found, PROFILE)
+    fewer = text.replace('"processes": 8', '"processes": 3', 1)
+    assert fewer != text
+    with pytest.raises(InputError, match="no fewer than those of the root"):
+        schedule_from_json(fewer, topology, PROFILE)
