@@ -216,10 +216,9 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
 
 def _warn_of_still(model: Model, options: argparse.Namespace) -> None:
     """Warn of joints that closed loops leave no motion."""
-    from adagen.plan.closures import sampled
-    from adagen.plan.loop_checks import in_words, still_joints
+    from adagen.plan.still_joints import in_words, still_joints
 
-    still = still_joints(model, sampled(model)[1]) if model.closed else ()
+    still = still_joints(model)
     if still and len(still) < len(model.joints):
         warn(f"{options.model}: warning: {in_words(model, still)}")
 

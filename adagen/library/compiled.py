@@ -18,8 +18,7 @@ from adagen.library.solver import Compiled
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified
-from adagen.plan.closures import sampled
-from adagen.plan.loop_checks import check_motion
+from adagen.plan.still_joints import check_motion
 from adagen.schedule import Schedule, Topology, load_profile
 from adagen.search.objective import suited_shape
 from adagen.urdf import model_stem
@@ -69,8 +68,8 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
         InputError: the robot cannot be treated in this form, or closed loops leave it no motion.
         UsageError: its answers cannot be certified, and are to be.
     """
-    if model.closed and not request.loop_forces:
-        check_motion(model, sampled(model)[1])
+    if not request.loop_forces:
+        check_motion(model)
     plan = make_plan(
         model,
         schedule,

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.errors import InputError
-from adagen.model import FLOATING, Model
+from adagen.model import Model
 from adagen.plan.independent_coordinates import NO_PIVOT
 from adagen.plan.loop_groups import connected, freedoms_of, loop_paths, rows_of
 from adagen.reference.closed import nearly_closed
 from adagen.reference.double import joint_space_inertia
-from adagen.urdf.notes import quoted
 
 Array = NDArray[np.float64]
 
-AT_REST = 1e-9
-"""Beside motions of one, in rad/s and m/s, a joint that moves less than this is at rest."""
 STILL = 1e-12
 """Inertia of a motion that the loops allow, relative to the joints' own, that counts as none."""
 
@@ -48,7 +43,7 @@ def check_prescribed(model: Model, rows: Array) -> None:
     for tied in connected(model, loop_paths(model)):
         own = rows[:, [row for k in tied.members for row in rows_of(model)[k]]]
         columns = freedoms_of(model, tied.path)
-        if all(_rank(each[:, columns]) < _rank(each) for each in own):
+        if all(rank(each[:, columns]) < rank(each) for each in own):
             given = [f'"{model.joints[j].name}"' for j in tied.path if model.joints[j].prescribed]
             raise InputError(
                 f"accelerations of joints {', '.join(given)} cannot all be prescribed: closed "
@@ -56,64 +51,10 @@ def check_prescribed(model: Model, rows: Array) -> None:
             )
 
 
-def _rank(matrix: Array) -> int:
+def rank(matrix: Array) -> int:
     """Number of independent rows."""
     sizes = np.linalg.svd(matrix, compute_uv=False)
     return int((sizes > NO_PIVOT * sizes[:1].sum()).sum())
-
-
-def still_joints(model: Model, rows: Array) -> tuple[int, ...]:
-    """Return the joints that closed loops let move in no configuration, ascending.
-
-    Args:
-        model: the robot.
-        rows: J at closed states, shape (S, rows, nv).
-    """
-    columns = [
-        range(a, a + joint.kind.nv) for a, joint in zip(model.v_start, model.joints, strict=True)
-    ]
-    left = tuple(range(len(model.joints)))
-    for each in rows:
-        if not left:
-            break
-        free = np.linalg.svd(each)[2][_rank(each) :]
-        speeds = np.abs(free).max(axis=0, initial=0.0)
-        left = tuple(j for j in left if not speeds[columns[j]].max() > AT_REST)
-    return left
-
-
-def check_motion(model: Model, rows: Array) -> None:
-    """Refuse a robot in which closed loops leave no joint any motion.
-
-    Its accelerations are zero, and a solver would give rounding alone.
-
-    Args:
-        model: the robot.
-        rows: J at closed states, shape (S, rows, nv).
-    """
-    if len(still_joints(model, rows)) < len(model.joints):
-        return
-    names = quoted([*(loop.name for loop in model.loops), *(c.name for c in model.couplings)])
-    raise InputError(
-        f"nothing to solve: closed loops ({names}) leave no joint any motion, all accelerations "
-        f"are zero; correct the loops, {_base_too(model)}or ask for their forces (--loop-forces)"
-    )
-
-
-def in_words(model: Model, still: Sequence[int]) -> str:
-    """Return what is to be said of joints that closed loops let move in no configuration."""
-    names = quoted([model.joints[j].name for j in still])
-    return (
-        f"closed loops leave {f'joints {names}' if len(still) > 1 else f'joint {names}'} no motion:"
-        f" accelerations there are zero but for rounding; correct the loops, {_base_too(model)}"
-        "or lock what is not to move"
-    )
-
-
-def _base_too(model: Model) -> str:
-    """What may be missing where a robot stands on its feet."""
-    floats = any(joint.kind is FLOATING for joint in model.joints)
-    return "" if floats else "put the robot on a floating base (--floating), "
 
 
 def why_open(model: Model) -> str:
@@ -151,8 +92,8 @@ def check_inertia(model: Model, q: Array, rows: Array) -> None:
     columns = freedoms_of(model, range(len(model.joints)))
     for each, matrix in zip(q, rows[:, :, columns], strict=True):
         right = np.linalg.svd(matrix)[2]
-        free = np.zeros((model.nv, len(columns) - _rank(matrix)))
-        free[columns] = right[_rank(matrix) :].T
+        free = np.zeros((model.nv, len(columns) - rank(matrix)))
+        free[columns] = right[rank(matrix) :].T
         inertia = joint_space_inertia(model, each)
         reduced = free.T @ (inertia + np.diag(rotors)) @ free
         if not len(reduced):

@@ -84,5 +84,6 @@ def test_every_version(what: str, builder: Builder) -> None:
 @cache
 def _has_library_of_llvm(name: str) -> bool:
     words = [name, LLVM, "-x", "c++", "-std=c++17", "-fsyntax-only", "-"]
-    done = subprocess.run(words, input="#include <vector>", text=True, capture_output=True)
+    source = "#include <vector>"
+    done = subprocess.run(words, input=source, text=True, capture_output=True, timeout=60)
     return done.returncode == 0 and not done.stderr  # some say that they are too old for it

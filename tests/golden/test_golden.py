@@ -55,7 +55,7 @@ def test_the_table_covers_what_it_should() -> None:
 
 
 OTHER_SUM = """
-import builtins, pickle, sys
+import builtins, math, pickle, sys
 plain, compensates = builtins.sum, sum([0.1] * 10) == 1.0
 
 def other(values, start=0):
@@ -68,7 +68,6 @@ def other(values, start=0):
         start = start + value
     return start
 
-import math
 builtins.sum = other
 from tests.golden.examples import golden_files
 sys.stdout.buffer.write(pickle.dumps(golden_files()))
@@ -79,7 +78,8 @@ rounded off."""
 
 def test_emitting_again_by_another_python_gives_the_same_bytes(emitted: dict[str, bytes]) -> None:
     root = str(FOLDER.parent)
-    again = subprocess.run([sys.executable, "-c", OTHER_SUM], cwd=root, capture_output=True)
+    command = [sys.executable, "-c", OTHER_SUM]
+    again = subprocess.run(command, cwd=root, capture_output=True, timeout=300)
     assert again.returncode == 0, again.stderr.decode()
     assert pickle.loads(again.stdout) == emitted
 
