@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from adagen.library import Compiled, Origin, Request
     from adagen.library.choice import Chosen
     from adagen.model import Model
-    from adagen.plan import Plan
     from adagen.urdf import Reading
 
 
@@ -131,13 +130,7 @@ def choose_schedule(model: Model, options: argparse.Namespace, stages: Stages) -
         times = ", ".join(f"{time:.2f} us on {processes}" for processes, time in found.compared)
         note(f"--procs auto: {found.request.procs} (predicted: {times}; {found.profile} profile)")
     if found.unpaid is not None:
-        many, one = found.unpaid
-        idle = ", which does everything" if found.request.may_leave_idle else ""
-        warn(
-            f"{options.model}: warning: {found.request.procs} processes do not pay: "
-            f"{many:.2f} us predicted, {one:.2f} us on one ({found.profile} profile){idle}; use "
-            "--procs 1 or auto"
-        )
+        _warn(options, f"{found.unpaid_in_words}; use --procs 1 or auto")
     if found.schedule.parts and options.profile in _WITH_AVX512:
         _note_narrow_registers(found.profile)
     return found
@@ -188,9 +181,12 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
         from adagen.library.robot import source_hash
 
         plan = planned(model, schedule, request, source_hash(origin_of(options, None)))
-    _warn_of_still(model, options)
+    from adagen.library.assessment import idle_in_words, loss
+    from adagen.plan.still_joints import still_in_words
+
+    _warn(options, still_in_words(model))
     if chosen.unpaid is None:
-        _warn_of_idle(plan, options)
+        _warn(options, idle_in_words(plan))
     if options.verbose and options.scene is not None:
         from adagen.cli.scenes import tell_savings
 
@@ -201,53 +197,22 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
         progress("assessing accuracy", len(model.joints)),
         _about(options.model),
     ):
-        _warn_of_lost_digits(plan, model, request, options)
+        lost = loss(plan, model, request)
+        _warn(options, "" if lost is None else str(lost))
     if options.tune:
         from adagen.cli.tuning import fastest
 
         best = fastest(plan, request, stages)
         request = replace(request, shape=best.shape, chunk=best.chunk, compiler=best.compiler)
+        chosen = replace(chosen, request=request)
     with stages.stage("emit"), progress("emitting", len(model.joints)):
         from adagen.library.compiled import emitted
 
         origin = origin_of(options, getattr(options, "gravity", None))
-        return emitted(model, origin, schedule, plan, request)
+        return emitted(model, origin, chosen, plan)
 
 
-def _warn_of_still(model: Model, options: argparse.Namespace) -> None:
-    """Warn of joints that closed loops leave no motion."""
-    from adagen.plan.still_joints import in_words, still_joints
-
-    still = still_joints(model)
-    if still and len(still) < len(model.joints):
-        warn(f"{options.model}: warning: {in_words(model, still)}")
-
-
-def _warn_of_idle(plan: Plan, options: argparse.Namespace) -> None:
-    idle = sum(not process.owns for process in plan.processes)
-    if idle:
-        few = len(plan.processes) - idle
-        warn(
-            f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"
-            f" nothing to do; use --procs {few}"
-        )
-
-
-def _warn_of_lost_digits(
-    plan: Plan, model: Model, request: Request, options: argparse.Namespace
-) -> None:
-    """Warn, by the joint at fault, where the emitted code is predicted to keep few digits.
-
-    Raises:
-        InputError: it keeps none: a factorization fails already here.
-    """
-    from adagen.library.assessment import loss
-    from adagen.urdf.notes import quoted
-
-    lost = loss(plan, model, request)
-    if lost is not None:
-        warn(
-            f"{options.model}: warning: {lost.digits:.1f} digits are predicted"
-            f"{' where axes are nearly parallel' * lost.hard}; the largest loss is at joint "
-            f"{quoted([lost.joint])}" + "".join(f"; {way}" for way in lost.ways)
-        )
+def _warn(options: argparse.Namespace, text: str) -> None:
+    """Warn of something about the robot, if there is anything."""
+    if text:
+        warn(f"{options.model}: warning: {text}")

@@ -10,7 +10,6 @@ from adagen.emit import TOLERANCE
 from adagen.emit.predicted import priced_program
 from adagen.emit.shapes import chosen_shape, shape_to_refine, why_not_own
 from adagen.errors import InputError
-from adagen.library.compiled import shape_of
 from adagen.library.request import Request
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
@@ -55,6 +54,20 @@ class Loss:
     ways: tuple[str, ...]
     hard: bool
 
+    def __str__(self) -> str:
+        return (
+            f"{self.digits:.1f} digits are predicted"
+            f"{' where axes are nearly parallel' * self.hard}; the largest loss is at joint "
+            f"{quoted([self.joint])}" + "".join(f"; {way}" for way in self.ways)
+        )
+
+
+def shape_of(plan: Plan, request: Request) -> str:
+    """Return the shape of a request, "auto" for the fastest."""
+    if request.batch or request.refinement:
+        return request.shape
+    return suited_shape(request.objective, plan, request.shape)
+
 
 def assessed(model: Model, schedule: Schedule, request: Request) -> Assessed:
     """Return the predictions for a schedule.
@@ -78,6 +91,15 @@ def assessed(model: Model, schedule: Schedule, request: Request) -> Assessed:
         digits = None
     line = None if profile.steps is None else timeline(program, profile)
     return Assessed(schedule, program, line, digits)
+
+
+def idle_in_words(plan: Plan) -> str:
+    """Return what is to be said of processes that do nothing; empty where all do something."""
+    idle = sum(not process.owns for process in plan.processes)
+    if not idle:
+        return ""
+    many = len(plan.processes)
+    return f"{idle} of {many} processes will have nothing to do; use --procs {many - idle}"
 
 
 def loss(plan: Plan, model: Model, request: Request) -> Loss | None:

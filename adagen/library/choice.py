@@ -39,6 +39,18 @@ class Chosen:
     unpaid: tuple[float, float] | None = None
     profile: str = ""
 
+    @property
+    def unpaid_in_words(self) -> str:
+        """What is to be said of processes that do not pay; empty where they do."""
+        if self.unpaid is None:
+            return ""
+        many, one = self.unpaid
+        idle = ", which does everything" if self.request.may_leave_idle else ""
+        return (
+            f"{self.request.procs} processes do not pay: {many:.2f} us predicted, {one:.2f} us on "
+            f"one ({self.profile} profile){idle}"
+        )
+
 
 def choose(model: Model, request: Request, *, left_open: bool = False) -> Chosen:
     """Return the schedule for a request.

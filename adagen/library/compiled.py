@@ -9,7 +9,8 @@ from adagen.drawing import draw
 from adagen.emit import emit, program_of
 from adagen.errors import InputError, UsageError
 from adagen.garbage import seldom_collected
-from adagen.library.choice import choose
+from adagen.library.assessment import shape_of
+from adagen.library.choice import Chosen, choose
 from adagen.library.inputs import inputs_of
 from adagen.library.request import Request
 from adagen.library.robot import Origin, Robot
@@ -20,7 +21,6 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified
 from adagen.plan.still_joints import check_motion
 from adagen.schedule import Schedule, Topology, load_profile
-from adagen.search.objective import suited_shape
 from adagen.urdf import model_stem
 
 
@@ -58,7 +58,7 @@ def compiled(robot: Robot, request: Request) -> Compiled:
         if error.file is None:
             raise InputError(error.message, str(robot.origin.path)) from None
         raise
-    return emitted(robot.model, robot.origin, chosen.schedule, plan, chosen.request)
+    return emitted(robot.model, robot.origin, chosen, plan)
 
 
 def planned(model: Model, schedule: Schedule, request: Request, source_hash: str) -> Plan:
@@ -86,28 +86,19 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
     return plan.for_batches if request.batch else plan
 
 
-def shape_of(plan: Plan, request: Request) -> str:
-    """Return the shape of a request, "auto" for the fastest."""
-    if request.batch or request.refinement:
-        return request.shape
-    return suited_shape(request.objective, plan, request.shape)
-
-
-def emitted(
-    model: Model, origin: Origin, schedule: Schedule, plan: Plan, request: Request
-) -> Compiled:
+def emitted(model: Model, origin: Origin, chosen: Chosen, plan: Plan) -> Compiled:
     """Return all emitted files of a plan; nothing is written.
 
     Args:
         model: the robot.
         origin: where it comes from.
-        schedule: which process computes what.
+        chosen: the schedule, and the request: shape, refinement, batches, names of files.
         plan: what each process computes.
-        request: shape, refinement, batches, and names of files.
 
     Raises:
         UsageError: the plan cannot be emitted as it is asked for.
     """
+    schedule, request = chosen.schedule, chosen.request
     profile = load_profile(request.profile)
     shape = shape_of(plan, request)
     program = program_of(
@@ -136,4 +127,6 @@ def emitted(
     check_answer(model, plan, program)
     line = timeline(program, profile) if priced else None
     inputs = inputs_of(origin, request)
-    return Compiled(model, origin, request, schedule, plan, program, line, files, inputs)
+    return Compiled(
+        model, origin, request, schedule, plan, program, line, files, inputs, chosen.unpaid_in_words
+    )

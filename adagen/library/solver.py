@@ -11,6 +11,7 @@ from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
+from warnings import warn
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +20,8 @@ from adagen.atomic_files import write_files
 from adagen.build import Toolchain
 from adagen.cost import Timeline
 from adagen.emit.runtime import FOLDER
-from adagen.errors import UsageError, printable
+from adagen.errors import InputError, UsageError, printable
+from adagen.library.assessment import idle_in_words, loss
 from adagen.library.command import command_of, refuse_another, with_command
 from adagen.library.extension import extension
 from adagen.library.inputs import Input, head_lines, with_inputs
@@ -29,6 +31,7 @@ from adagen.library.robot import Origin
 from adagen.library.vectors import Vectors
 from adagen.model import Model
 from adagen.plan import Plan
+from adagen.plan.still_joints import still_in_words
 from adagen.program import Program
 from adagen.schedule import Schedule
 from adagen.search.objective import Digits, predicted_digits
@@ -54,6 +57,7 @@ class Compiled:
             open.
         files: file name to text: source, header, plan, drawing, Makefile, CMakeLists.txt, ...
         inputs: what it was made from beside the robot, such as scene and cost profile.
+        unpaid: what is to be said of processes that do not pay; empty where they do.
     """
 
     model: Model
@@ -65,6 +69,7 @@ class Compiled:
     timeline: Timeline | None
     files: dict[str, str] = field(repr=False)
     inputs: tuple[Input, ...] = field(default=(), repr=False)
+    unpaid: str = field(default="", repr=False)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Compiled):
@@ -112,6 +117,26 @@ class Compiled:
         return None if hard is None else -math.log10(hard)
 
     @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """What the command line warns of: few digits, idle processes, joints that cannot move.
+
+        ``build`` issues them. They take some tenths of a second, when first asked for.
+
+        Raises:
+            InputError: no digit is predicted to be right: a factorization fails.
+        """
+        try:
+            lost = loss(self.plan, self.model, self.request)
+        except InputError as error:
+            raise InputError(error.message, str(self.origin.path)) from None
+        about = (
+            self.unpaid or idle_in_words(self.plan),
+            still_in_words(self.model),
+            "" if lost is None else str(lost),
+        )
+        return tuple(text for text in about if text)
+
+    @cached_property
     def _digits(self) -> Digits | None:
         objective, shape = self.request.objective, self.program.shape
         try:
@@ -155,7 +180,11 @@ class Compiled:
         Args:
             toolchain: what to build with; by default what ``adagen env`` prints.
 
+        Warns:
+            UserWarning: of each of ``warnings``.
+
         Raises:
+            InputError: the solver is predicted to fail in every state.
             UsageError: the solver is for several MPI processes.
             EnvironmentFault: the compiler failed, or is missing.
         """
@@ -164,6 +193,8 @@ class Compiled:
                 f"{self.stem} is for {self.request.procs} processes, a Python program is one:"
                 ' compile with procs=1, or channel="threads"'
             )
+        for text in self.warnings:
+            warn(f"{self.stem}: {text}", stacklevel=2)
         solver = _type_of(extension(self.source, self.stem, toolchain))()
         solver.compiled = self
         solver._parameters = np.array(self.plan.parameter_values)

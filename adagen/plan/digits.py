@@ -75,7 +75,10 @@ def lost_mobility(bare: NDArray[Any], assembled: NDArray[Any]) -> float:
     Raises:
         LinAlgError: the second one is not positive definite.
     """
-    scale = 1.0 / np.sqrt(np.diag(assembled))  # mixed units: rotations beside translations
+    diagonal = np.diag(assembled)
+    if not (diagonal > 0).all():
+        raise np.linalg.LinAlgError("not positive definite")
+    scale = 1.0 / np.sqrt(diagonal)  # mixed units: rotations beside translations
     lower = np.linalg.cholesky(assembled * np.outer(scale, scale))
     half = np.linalg.solve(lower, bare * np.outer(scale, scale))
     return float(np.linalg.eigvalsh(np.linalg.solve(lower, half.T))[-1])

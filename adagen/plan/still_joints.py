@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -56,8 +55,14 @@ def check_motion(model: Model) -> None:
     )
 
 
-def in_words(model: Model, still: Sequence[int]) -> str:
-    """Return what is to be said of joints that closed loops let move in no configuration."""
+def still_in_words(model: Model) -> str:
+    """Return what is to be said of joints that closed loops let move in no configuration.
+
+    Empty where all can move, or none: what is asked for are the loops' forces, then.
+    """
+    still = still_joints(model)
+    if not still or len(still) == len(model.joints):
+        return ""
     names = quoted([model.joints[j].name for j in still])
     return (
         f"closed loops leave {f'joints {names}' if len(still) > 1 else f'joint {names}'} no motion:"

@@ -23,6 +23,7 @@ from adagen.build import find_toolchain
 from adagen.errors import UsageError
 from adagen.library.request import Request
 from adagen.plan import plan_from_json
+from tests.cli.robots import BALL, LINK, write_arm
 from tests.emitted import ROUNDING, forward_error
 from tests.golden.make_models import MODELS
 from tests.library.solvers import ARM, MOBILE, build, states
@@ -77,6 +78,33 @@ class TestCompile:
         assert compiled.digits is not None
         assert 10 < compiled.digits < 17
         assert compiled.program.processes
+        assert compiled.warnings == ()
+
+    def test_what_the_command_line_warns_of_is_told(self, tmp_path: Path) -> None:
+        """Idle processes where two do not pay, and a body that spins, in loops."""
+        arm = adagen.compile(adagen.read(ARM), procs=2, channel="threads")
+        (unpaid,) = arm.warnings
+        assert unpaid.startswith("2 processes do not pay: ")
+        (tmp_path / "ball.urdf").write_text(BALL)
+        ball = adagen.compile(adagen.read(tmp_path / "ball.urdf"), shape="kernels")
+        (few,) = ball.warnings
+        assert 'digits are predicted; the largest loss is at joint "ball"' in few
+        with pytest.warns(UserWarning, match="^ball_p1: .* digits are predicted"):
+            ball.build()
+
+    def test_what_cannot_be_solved_is_not_built(self, tmp_path: Path) -> None:
+        """A link of 1e-20 kg between two of 1.5 kg, in form ada."""
+        light = LINK.format(name="l2")
+        for number in ("1.5", "0.02", "0.03", "0.01"):
+            light = light.replace(f'="{number}"', f'="{number}e-20"')
+        path = write_arm(tmp_path / "arm.urdf")
+        path.write_text(path.read_text().replace(LINK.format(name="l2"), light))
+        compiled = adagen.compile(adagen.read(path), procs=2, form="ada", channel="threads")
+        assert compiled.digits is None
+        with pytest.raises(
+            adagen.InputError, match=r"arm\.urdf: error: .*no digits left; use --form"
+        ):
+            compiled.build()
 
     def test_the_command_line_writes_the_same(self, tmp_path: Path) -> None:
         from adagen.cli import main
