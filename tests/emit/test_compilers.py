@@ -125,7 +125,7 @@ def test_gcc_has_nothing_to_say_under_other_flags(builder: Builder) -> None:
 class TestSanitizers:
     """-fsanitize=address,undefined; without NDEBUG, so that Eigen's own checks speak too."""
 
-    FLAGS = ("-O1", "-march=native", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    FLAGS = ("-O0", "-march=native", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 
     @pytest.fixture(params=SANITIZED)
     def example(self, request: pytest.FixtureRequest) -> Example:

@@ -103,7 +103,7 @@ def test_real_robots(robot: str, builder: Builder, shared: Path, tmp_path: Path)
 
 
 def test_lanes_processes_and_processors(builder: Builder, tmp_path: Path) -> None:
-    model = affected(limbs(6, REVOLUTE, REVOLUTE, trunk=1, beside=0))
+    model = affected(limbs(4, REVOLUTE, REVOLUTE, trunk=1, beside=0))
     plan = reproducible_plan(model)
     expected = answer(builder, plan, ("-O1", "-march=x86-64"), model, tmp_path, limbs=((),))
     wide = ("-O1", "-march=native", "-ffp-contract=fast")
