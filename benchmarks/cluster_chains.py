@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from adagen.cost import Timeline, timeline
-from adagen.emit.predicted import priced_program
+from adagen.emit.shapes import priced_program
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.cuts import cuttable_joints

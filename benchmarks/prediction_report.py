@@ -11,7 +11,7 @@ from statistics import median
 
 import numpy as np
 
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.plan import plan_from_json
 from adagen.schedule import load_profile
 from adagen.studies.bench.report import table

@@ -15,8 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import chosen_shape
+from adagen.emit.shapes import chosen_shape, predict
 from adagen.garbage import seldom_collected
 from adagen.model import Model
 from adagen.paper.restricted import joined_between_processes

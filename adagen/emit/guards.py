@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
+from adagen.emit.processes import entries_of, given_entries, ranges, read_joints
 from adagen.emit.symbols import Symbols
 from adagen.plan.edges import is_base
 from adagen.plan.steps import Receive, Send

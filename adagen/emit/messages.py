@@ -8,7 +8,7 @@ from adagen.emit.symbols import Symbols
 from adagen.executor import simulate
 from adagen.plan.messages import CERTIFICATE, ENERGIES, Message
 from adagen.program.lower import LOOPS
-from adagen.program.own_axes import own_axes_in_loops
+from adagen.program.runs import own_axes_in_loops
 
 
 def describe_message(symbols: Symbols, message: Message) -> str:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from adagen.cost import programmed, timeline
+from adagen.cost import Timeline, programmed, timeline
 from adagen.emit import baselines, joints, kernels, unrolled
 from adagen.emit.symbols import Symbols
 from adagen.errors import UsageError
@@ -24,6 +24,7 @@ from adagen.plan.own_axes import balls_lose
 from adagen.plan.refine import corrected, refinable, why_not_in_lines
 from adagen.plan.robot import slaved_joint
 from adagen.plan.steps import Join
+from adagen.program import Program
 from adagen.schedule import CostProfile, with_steps
 
 
@@ -207,3 +208,33 @@ def _fastest(
     profile = with_steps(profile)
     programs = {shape: programmed(plan, shape, profile, batch=batch) for shape in shapes}
     return min(shapes, key=lambda shape: timeline(programs[shape], profile).makespan)
+
+
+def priced_program(plan: Plan, shape: str = "auto", profile: CostProfile | None = None) -> Program:
+    """Return the program by which a plan is priced, for one state at a time.
+
+    Args:
+        plan: what each process computes.
+        shape: of the code, as ``adagen.emit.emit`` takes it; where the plan cannot be had in it,
+            the fastest that does the plan step by step.
+        profile: what shape, limbs side by side and methods are chosen by; the shipped one if not
+            given.
+    """
+    if shape == "auto":
+        return programmed(plan, chosen_shape(plan, profile=profile), profile)
+    known = shape in SHAPES and SHAPES[shape].why_not(plan) is None
+    return programmed(plan, shape if known else stepwise(plan), profile)
+
+
+def predict(plan: Plan, profile: CostProfile, shape: str = "auto") -> Timeline:
+    """Return the predicted timeline of an evaluation.
+
+    Args:
+        plan: what each process does, in either form.
+        profile: a profile with the costs of steps.
+        shape: of the code, as ``priced_program`` takes it.
+
+    Raises:
+        ValueError: the profile prices joins alone, as the paper's does.
+    """
+    return timeline(priced_program(plan, shape, profile), profile)

@@ -21,7 +21,7 @@ from adagen.graph.linear import (
 )
 from adagen.graph.nodes import Node
 from adagen.graph.numbers import Number, Numbers
-from adagen.graph.rounded import RoundedGraph
+from adagen.graph.rounded_once import RoundedGraph
 
 __all__ = [
     "BALLS",

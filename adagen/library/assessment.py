@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 from adagen.cost import Timeline, timeline
 from adagen.emit import TOLERANCE
-from adagen.emit.predicted import priced_program
-from adagen.emit.shapes import chosen_shape, shape_to_refine, why_not_own
+from adagen.emit.shapes import chosen_shape, priced_program, shape_to_refine, why_not_own
 from adagen.errors import InputError
 from adagen.library.request import Request
 from adagen.model import Model

@@ -36,7 +36,6 @@ from adagen.plan.steps import (
 from adagen.plan.tip_mobility import Mentions, holds, mentions, tip_mobility_runs
 from adagen.plan.types import Plan, Process
 from adagen.program.names import PASSING
-from adagen.program.own_axes import own_axes_in_loops
 from adagen.program.parted_runs import PartedRuns, parts_joined
 from adagen.program.runs import (
     OF_ONE_FREEDOM,
@@ -44,6 +43,7 @@ from adagen.program.runs import (
     ends_of_run,
     links_of_run,
     outward_units,
+    own_axes_in_loops,
     pays_columns,
     swept,
     units_of_sweep,

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import groupby
 
+from adagen.executor.lanes import Grouping
 from adagen.plan.edges import is_base
-from adagen.plan.order import Ends, Unit, ends_of, outward_order
+from adagen.plan.order import Ends, Unit, ends_of, inward_order, outward_order
+from adagen.plan.own_axes import OwnAxes, own_axes_of_units
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Articulate, Deliver, Step
+from adagen.plan.types import Plan
 from adagen.schedule.costs import StepCosts
 
 OF_ONE_FREEDOM = ("revolute", "prismatic")
@@ -195,3 +199,27 @@ def parts_in(steps: Iterable[Step]) -> list[Run]:
     """Return the runs that a parted run's steps are of, outwards along their chain."""
     sweep = (step for step in steps if isinstance(step, Articulate | Accelerate))
     return [Run(*span) for span in spans(step.joint for step in sweep)]
+
+
+@lru_cache(maxsize=16)  # of one program it is asked for each process, and again to print it
+def own_axes_in_loops(plan: Plan, limbs: Grouping, batch: bool = False) -> OwnAxes:
+    """Return the joints of a plan that loops sweep in their own axes.
+
+    Args:
+        plan: a plan of form segment.
+        limbs: those that each process takes side by side.
+        batch: whether SIMD lanes are for states: one of them loses digits too often for a sweep to
+            be repeated for all.
+    """
+    rows = [row for own in limbs for each in own for row in each.rows]
+    found = own_axes_of_units(plan, rows, _units(plan, limbs))
+    return OwnAxes(found.always | found.if_lost, frozenset()) if batch else found
+
+
+def _units(plan: Plan, limbs: Grouping) -> Iterator[frozenset[int]]:
+    """The joints that are swept at once."""
+    for process, own in zip(plan.processes, limbs, strict=True):
+        for steps, together in ((process.steps, own), (process.recovery, ())):
+            swept = [step for step in steps if isinstance(step, Articulate)]
+            for unit in units_of_sweep(plan.joints, swept, together, inward_order):
+                yield frozenset(unit.members() if isinstance(unit, Limbs) else unit.joints())

@@ -10,8 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from adagen.plan import Plan
 from adagen.plan.steps import Join
-from adagen.program.own_axes import own_axes_in_loops
-from adagen.program.runs import Run, pays_columns
+from adagen.program.runs import Run, own_axes_in_loops, pays_columns
 from adagen.schedule.costs import StepCosts
 
 TILE = 128

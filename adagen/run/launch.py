@@ -6,12 +6,14 @@ import ctypes
 import os
 import re
 import selectors
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import ExitStack, suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -291,3 +293,16 @@ def _session_members(session: int) -> list[int]:
             if int(fields[3]) == session and fields[0] != "Z":
                 members.append(int(folder.name))
     return sorted(members)
+
+
+@contextmanager
+def fresh_copy(executable: Path) -> Iterator[Path]:
+    """Lend a copy of a program.
+
+    Where in memory a file's pages lie decides how its code shares caches, for as long as the file
+    is kept in memory: small solvers differ by a third. Copies lie elsewhere each time.
+    """
+    with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+        copy = Path(folder, executable.name)
+        shutil.copy2(executable, copy)
+        yield copy

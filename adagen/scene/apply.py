@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Collection, Mapping, Set
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -25,10 +25,9 @@ from adagen.model import (
     closed,
     with_loops_checked,
 )
-from adagen.model.paths import path_to_ground
+from adagen.model.paths import path_to_ground, paths_to_ground
 from adagen.scene.lock import lock, select
 from adagen.scene.names import Names
-from adagen.scene.prune import influential
 from adagen.scene.types import OUTPUTS, Scene
 
 
@@ -320,3 +319,43 @@ def _pruned(
             message = f"a force on link '{name}' changes nothing that the scene asks for"
             raise scene.error(message, "forces", k)
     return replace(smaller, floating=model.floating and smaller.joints[0].kind is FLOATING), dropped
+
+
+def influential(model: Model, wanted: Collection[int], kept: Collection[int]) -> list[int]:
+    """Return the joints that have to stay, ascending: all that can influence what is wanted.
+
+    Some links have a known motion: the ground, and links that only prescribed joints connect to it.
+    Limbs on such links are independent of each other, so that a limb without wanted accelerations
+    can be left out, exactly. Inside a limb everything influences everything through forces.
+
+    Args:
+        model: the robot; a limb with a slaved joint stays with the limb of its source.
+        wanted: joints whose accelerations are wanted.
+        kept: links whose motion is wanted.
+    """
+    known = {0}  # links of known motion
+    limb: dict[int, int] = {}  # the first joint of each other joint's limb
+    for j, joint in enumerate(model.joints):
+        if joint.parent in known and joint.prescribed:
+            known.add(j + 1)
+        else:
+            limb[j] = j if joint.parent in known else limb[joint.parent - 1]
+    stay = {limb[j] for j in {*wanted, *(link - 1 for link in kept)} if j in limb}
+    grown = True
+    ties = [{limb[j] for j in tied if j in limb} for tied in _tied(model)]
+    while grown:  # they tie limbs together
+        more = {one for tie in ties if tie & stay for one in tie} - stay
+        stay |= more
+        grown = bool(more)
+    result = {j for j, first in limb.items() if first in stay}
+    needed = [*stay, *wanted, *(link - 1 for link in kept)]  # by prescribed joints on the way
+    return sorted(result | paths_to_ground(model.joints, needed))
+
+
+def _tied(model: Model) -> list[set[int]]:
+    """Joints that do not move apart: slaved ones and their sources, ends of loops, couplings."""
+    slaved = [
+        {j, joint.mimic.source} for j, joint in enumerate(model.joints) if joint.mimic is not None
+    ]
+    loops = [{link - 1 for link, _ in loop.ends} for loop in model.loops]
+    return [*slaved, *loops, *({j for j, _ in c.terms} for c in model.couplings)]

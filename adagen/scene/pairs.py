@@ -18,8 +18,12 @@ import yaml
 from adagen.errors import InputError
 from adagen.jsonfile import nearest
 from adagen.model import (
+    REVOLUTE,
     SPHERICAL,
     WORLD,
+    Inertia,
+    Joint,
+    Link,
     LoopEnd,
     Model,
     NamedLoop,
@@ -29,7 +33,6 @@ from adagen.model import (
     with_loops_checked,
 )
 from adagen.scene.lock import lock
-from adagen.scene.universal_joints import with_universal_joints
 from adagen.tomlfile import read_text
 
 _KEYS = ("closed_loop", "type", "joint_name", "joint_type", "name_mot")
@@ -266,3 +269,66 @@ def _of_other_kinds(model: Model, below: Mapping[str, str], pairs: Pairs) -> Mod
         left = {joint.name: j for j, joint in enumerate(robot.joints)}
         crosses = {left[joints[j].name]: axes for j, axes in crosses.items()}
     return with_universal_joints(robot, crosses) if crosses else robot
+
+
+AXES = "XYZ"
+
+
+def with_universal_joints(model: Model, crosses: Mapping[int, str]) -> Model:
+    """Return a robot in which some joints are universal.
+
+    A joint NAME becomes two, NAME_X about the first axis of its frame, NAME_Y about the second; the
+    cross between them is a link NAME_cross, whose frame is its child link's at rest.
+
+    Args:
+        model: the robot; its wrenches and outputs are not yet known.
+        crosses: for each joint two different letters of ``AXES``: the hinges' axes in its frame.
+    """
+    before = [sum(j < k for j in crosses) for k in range(len(model.links))]  # by link
+    links, joints = [model.links[0]], list[Joint]()
+    for j, joint in enumerate(model.joints):
+        parent = joint.parent + before[joint.parent]
+        mimic = joint.mimic
+        if mimic is not None:
+            mimic = replace(mimic, source=mimic.source + before[mimic.source + 1])
+        last = replace(joint, parent=parent, mimic=mimic)
+        if j in crosses:
+            first, last = _hinges(last, crosses[j], len(links))
+            joints.append(first)
+            links.append(Link(f"{joint.name}_cross", Inertia.zero()))
+        joints.append(last)
+        links.append(model.links[j + 1])
+    return replace(
+        model,
+        links=tuple(links),
+        joints=tuple(joints),
+        loops=tuple(
+            replace(
+                loop,
+                link1=loop.link1 + before[loop.link1],
+                link2=loop.link2 + before[loop.link2],
+            )
+            for loop in model.loops
+        ),
+        couplings=tuple(
+            replace(one, terms=tuple((j + before[j + 1], factor) for j, factor in one.terms))
+            for one in model.couplings
+        ),
+    )
+
+
+def _hinges(joint: Joint, letters: str, cross: int) -> tuple[Joint, Joint]:
+    """Return the two hinges of a joint; the link between them has a number."""
+    first, second = (np.eye(3)[AXES.index(letter)] for letter in letters)
+    hinge = replace(joint, kind=REVOLUTE, passive=Passive())
+    return (
+        replace(hinge, name=f"{joint.name}_{letters[0]}", axis=first),
+        replace(
+            hinge,
+            name=f"{joint.name}_{letters[1]}",
+            parent=cross,
+            rotation=np.eye(3),
+            translation=np.zeros(3),
+            axis=second,
+        ),
+    )

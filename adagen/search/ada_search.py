@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from adagen.cost.features import joins_of
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.model import Model
 from adagen.paper.bounds import Rules
 from adagen.paper.successors import Space

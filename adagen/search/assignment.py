@@ -14,7 +14,7 @@ from math import prod
 from adagen.search.incumbent import LOOK, Incumbent
 from adagen.search.layout_bounds import Around
 from adagen.search.layouts import MeetingPlace
-from adagen.search.sweep_bound import SweepBound
+from adagen.search.whole_limb_bounds import SweepBound
 
 Counts = tuple[int, ...]
 """How many limbs of each class of interchangeable ones."""

@@ -23,8 +23,7 @@ from dataclasses import replace
 from typing import get_args
 
 from adagen.cost import Timeline, timeline
-from adagen.emit.predicted import priced_program
-from adagen.emit.shapes import offered
+from adagen.emit.shapes import offered, priced_program
 from adagen.model import Model
 from adagen.paper.restricted import joined_between_processes
 from adagen.plan import Plan, can_gather, make_plan

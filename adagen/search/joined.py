@@ -39,8 +39,7 @@ from adagen.search.segment_bounds import SegmentBounds
 from adagen.search.segment_pareto import Label, State, draft_of
 from adagen.search.segment_schedule import find_segments
 from adagen.search.segment_search import FOREVER, SegmentSearch
-from adagen.search.sweep_bound import SweepBound
-from adagen.search.whole_limb_bounds import WholeLimbBounds
+from adagen.search.whole_limb_bounds import SweepBound, WholeLimbBounds
 
 LONG = 128
 """Joints up to which the longest ways through chains are looked at."""

@@ -19,8 +19,7 @@ from adagen.plan.tip_mobility import can_carry_wrenches
 from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import StepCosts
 from adagen.search.limbs import Limb, Robot
-from adagen.search.sweep_bound import NOTHING, SweepBound, longest_of
-from adagen.search.whole_limb_bounds import WholeLimbBounds
+from adagen.search.whole_limb_bounds import NOTHING, SweepBound, WholeLimbBounds, longest_of
 
 ROWS = {2: ("two", 2), 3: ("four", 3), 4: ("four", 4)}
 """By joints in a row: the coefficients that price it, and how many share it."""

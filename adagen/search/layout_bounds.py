@@ -15,7 +15,7 @@ from math import inf
 from adagen.schedule.costs import ChannelCosts, StepCosts
 from adagen.search.joint_bounds import JointBounds
 from adagen.search.limbs import Core, Limb, Robot
-from adagen.search.sweep_bound import NOTHING, SweepBound, longest_of
+from adagen.search.whole_limb_bounds import NOTHING, SweepBound, longest_of
 
 _NUMBERS = 27
 """Numbers that a process tells another at least: a link's inertia and bias force."""

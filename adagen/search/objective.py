@@ -16,10 +16,9 @@ import numpy as np
 
 from adagen.emit.shapes import offered
 from adagen.errors import UsageError
-from adagen.executor.closed_trial import tried_closed
 from adagen.executor.join_digits import Growth, predicted_growth
 from adagen.executor.refine import interpret_refined
-from adagen.executor.trial import MANY, Trial, carried_out, tried, tried_hard
+from adagen.executor.trial import MANY, Trial, carried_out, tried, tried_closed, tried_hard
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of

@@ -11,8 +11,7 @@ from dataclasses import dataclass, replace
 
 from adagen.cost import operation_features
 from adagen.cost.lane_choice import cheapest_loops
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import SHAPES
+from adagen.emit.shapes import SHAPES, predict
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.messages import Message

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.certificate import certified

@@ -9,7 +9,7 @@ from itertools import accumulate
 from adagen.cost import timeline
 from adagen.cost.handout import Batch, Handout, Helper, handed_out
 from adagen.emit import program_of
-from adagen.emit.predicted import priced_program
+from adagen.emit.shapes import priced_program
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.parts import MOST_IN_LANES

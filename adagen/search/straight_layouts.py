@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from adagen.cost import timeline
-from adagen.emit.predicted import priced_program
+from adagen.emit.shapes import priced_program
 from adagen.errors import AdagenError
 from adagen.executor.machine import Machine
 from adagen.plan import Plan

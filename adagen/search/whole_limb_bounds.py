@@ -13,14 +13,47 @@ joints of several of them, its group ends at that link: what is before it bears 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations, product
 from math import comb, inf, prod
-from typing import Literal, get_args
+from typing import Literal, NamedTuple, get_args
 
 from adagen.schedule.costs import StepCosts
 from adagen.search.limbs import Robot
-from adagen.search.sweep_bound import SweepBound
+
+
+class SweepBound(NamedTuple):
+    """The least that a joint takes, microseconds.
+
+    Attributes:
+        inwards: kinematics and the sweep inwards.
+        outwards: the sweep outwards.
+        both: all of it; at least the sum of the two.
+    """
+
+    inwards: float
+    outwards: float
+    both: float
+
+    def plus(self, other: SweepBound) -> SweepBound:
+        """Return the sum of two."""
+        return SweepBound(
+            self.inwards + other.inwards, self.outwards + other.outwards, self.both + other.both
+        )
+
+
+NOTHING = SweepBound(0.0, 0.0, 0.0)
+
+
+def longest_of(bounds: Iterable[SweepBound]) -> SweepBound:
+    """Return the largest of each, 0 for none."""
+    inwards = outwards = both = 0.0
+    for bound in bounds:
+        inwards = max(inwards, bound.inwards)
+        outwards = max(outwards, bound.outwards)
+        both = max(both, bound.both)
+    return SweepBound(inwards, outwards, both)
+
 
 Part = Literal["inwards", "both"]
 """Which of a bound's times is asked for: up to the end of the sweep inwards, or all."""

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from adagen.cost import timeline
-from adagen.emit.predicted import predict, priced_program
+from adagen.emit.shapes import predict, priced_program
 from adagen.plan import make_plan
 from adagen.schedule import load_profile
 from adagen.schedule.fat_tree import parse_fabric

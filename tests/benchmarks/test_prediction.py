@@ -11,7 +11,7 @@ import pytest
 
 from adagen.calibrate.measure import Measurement
 from adagen.calibrate.robots import chain, robot, squared
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.plan import plan_to_json
 from adagen.schedule import load_profile
 from benchmarks.prediction import plans

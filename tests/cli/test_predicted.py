@@ -15,7 +15,7 @@ from adagen.build.registers import Registers
 from adagen.calibrate import profile_text
 from adagen.cli import main
 from adagen.cli.predicted import prediction
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.plan import make_plan
 from adagen.schedule import load_profile
 from adagen.search import best_schedule

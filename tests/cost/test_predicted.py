@@ -11,7 +11,7 @@ import pytest
 from adagen.calibrate.schedules import random_schedule
 from adagen.cost import operation_features, step_features, timeline
 from adagen.cost.features import joins_of
-from adagen.emit.predicted import predict, priced_program
+from adagen.emit.shapes import predict, priced_program
 from adagen.model.kinds import KINDS, REVOLUTE
 from adagen.plan import Plan, make_plan
 from adagen.plan.messages import Message

@@ -10,8 +10,7 @@ import pytest
 from adagen.calibrate.robots import chain, robot, squared, star
 from adagen.cost import programmed
 from adagen.cost.straight import straight_stretches
-from adagen.emit.predicted import predict, priced_program
-from adagen.emit.shapes import chosen_shape
+from adagen.emit.shapes import chosen_shape, predict, priced_program
 from adagen.executor import simulate
 from adagen.model import Model
 from adagen.plan import Plan, make_plan

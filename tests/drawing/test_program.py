@@ -10,7 +10,7 @@ import pytest
 from adagen.cost import timeline
 from adagen.drawing import draw
 from adagen.drawing.program import swept_rows
-from adagen.emit.predicted import priced_program
+from adagen.emit.shapes import priced_program
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.program import Program

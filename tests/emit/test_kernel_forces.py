@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from adagen.cost import programmed
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import SHAPES
+from adagen.emit.shapes import SHAPES, predict
 from adagen.executor import interpret
 from adagen.model import Model, Passive
 from adagen.model.kinds import REVOLUTE, SPHERICAL

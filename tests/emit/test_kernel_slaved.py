@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from adagen.emit import emit, program_of
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import SHAPES
+from adagen.emit.shapes import SHAPES, predict
 from adagen.errors import UsageError
 from adagen.model import Mimic, Model, Passive
 from adagen.plan import Plan

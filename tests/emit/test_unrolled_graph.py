@@ -7,8 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import SHAPES, chosen_shape
+from adagen.emit.shapes import SHAPES, chosen_shape, predict
 from adagen.executor import interpret, simulate
 from adagen.graph import Operations
 from adagen.model import FLOATING, REVOLUTE, Inertia, Model

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.errors import InputError
 from adagen.executor import chosen_grouping, interpret
 from adagen.executor.solve import Run, SingularPoseError

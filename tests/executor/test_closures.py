@@ -11,7 +11,7 @@ import pytest
 
 from adagen.errors import InputError
 from adagen.executor import interpret
-from adagen.executor.closed_trial import tried_closed
+from adagen.executor.trial import tried_closed
 from adagen.graph import BALLS
 from adagen.model import (
     LOOP_KINDS,

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.errors import InputError
 from adagen.executor import interpret
 from adagen.model import FLOATING, REVOLUTE, Inertia, Model, Passive

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from adagen.plan.own_axes import OwnAxes
 from adagen.plan.simd_groups import Limbs
-from adagen.program.own_axes import own_axes_in_loops
+from adagen.program.runs import own_axes_in_loops
 from adagen.studies.stability import robots
 from tests.emitted import plan_of
 from tests.models import POINT, three_axis_chain

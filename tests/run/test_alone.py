@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from adagen.drawing import draw
-from adagen.emit.predicted import priced_program
+from adagen.emit.shapes import priced_program
 from adagen.plan import Plan, make_plan
 from adagen.schedule import Topology, load_profile
 from adagen.search import best_schedule

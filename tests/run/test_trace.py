@@ -13,7 +13,7 @@ import pytest
 
 from adagen.calibrate.measure import Built, combined
 from adagen.drawing.trace import machine_svg
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.errors import InputError
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.model import Model
 from adagen.paper.bounds import Rules
 from adagen.paper.successors import Space

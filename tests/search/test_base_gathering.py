@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.errors import AdagenError
 from adagen.model import LINK_ACCELERATION, Frame, Output
 from adagen.plan import make_plan

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from adagen.cost import Timeline, timeline
-from adagen.emit.predicted import priced_program
+from adagen.emit.shapes import priced_program
 from adagen.errors import InputError
 from adagen.model import Mimic, Model
 from adagen.plan import make_plan

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.calibrate.schedules import random_schedule
-from adagen.emit.predicted import predict
+from adagen.emit.shapes import predict
 from adagen.model import Model
 from adagen.paper.restricted import joined_between_processes
 from adagen.plan import make_plan

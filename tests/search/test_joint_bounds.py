@@ -12,7 +12,7 @@ from adagen.schedule import load_profile
 from adagen.search.joint_bounds import JointBounds
 from adagen.search.layouts import MeetingPlace
 from adagen.search.limbs import Robot
-from adagen.search.sweep_bound import SweepBound
+from adagen.search.whole_limb_bounds import SweepBound
 from tests.cost.costs import step_profile
 from tests.models import Part, assemble, rod, vector
 from tests.search.test_layout_search import Case

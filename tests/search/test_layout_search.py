@@ -9,8 +9,7 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import SHAPES
+from adagen.emit.shapes import SHAPES, predict
 from adagen.model import Model
 from adagen.plan import can_gather, make_plan
 from adagen.plan.constants import joints_of

@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import SHAPES
+from adagen.emit.shapes import SHAPES, predict
 from adagen.model import BASE, FLOATING, REVOLUTE, Model
 from adagen.plan import can_gather, make_plan
 from adagen.plan.constants import joints_of

@@ -12,7 +12,7 @@ from adagen.calibrate import profile_text
 from adagen.cli import main
 from adagen.cost import timeline
 from adagen.emit import program_of
-from adagen.emit.predicted import priced_program
+from adagen.emit.shapes import priced_program
 from adagen.plan import make_plan
 from adagen.schedule import CostProfile, Host, load_profile
 from adagen.schedule.costs import ChannelCosts

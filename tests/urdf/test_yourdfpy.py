@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from adagen.urdf import yourdfpy_import
+from adagen.urdf import yourdfpy_check
 from tests.conftest import ROOT
 
 ARM = ROOT / "generated_examples" / "models" / "arm7.urdf"
@@ -42,9 +42,9 @@ def test_others_get_all_of_trimesh_and_yourdfpy() -> None:
 
 @pytest.fixture
 def _anew() -> Iterator[None]:
-    yourdfpy_import.urdf_class.cache_clear()
+    yourdfpy_check.urdf_class.cache_clear()
     yield
-    yourdfpy_import.urdf_class.cache_clear()
+    yourdfpy_check.urdf_class.cache_clear()
 
 
 @pytest.mark.usefixtures("_anew")
@@ -58,9 +58,9 @@ def test_another_release_is_taken_whole(
         raise fault
 
     monkeypatch.delitem(sys.modules, "yourdfpy")
-    monkeypatch.setattr(yourdfpy_import, "_parts_of", missing)
-    assert yourdfpy_import.urdf_class().__name__ == yourdfpy.URDF.__name__
-    assert yourdfpy_import.urdf_class().__module__ == "yourdfpy.urdf"
+    monkeypatch.setattr(yourdfpy_check, "_parts_of", missing)
+    assert yourdfpy_check.urdf_class().__name__ == yourdfpy.URDF.__name__
+    assert yourdfpy_check.urdf_class().__module__ == "yourdfpy.urdf"
 
 
 @pytest.mark.parametrize("path", sorted(ARM.parent.glob("*.urdf")), ids=lambda path: path.stem)
@@ -75,7 +75,7 @@ def test_both_read_the_same(path: Path) -> None:
             load_meshes=False,
             load_collision_meshes=False,
         ).robot
-        for kind in (yourdfpy_import._without_meshes(), yourdfpy.URDF)
+        for kind in (yourdfpy_check._without_meshes(), yourdfpy.URDF)
     )
     assert [plain(link.inertial) for link in alone.links] == [
         plain(link.inertial) for link in whole.links

@@ -13,7 +13,7 @@ from adagen.emit.messages import (
     receive_lines,
     send_lines,
 )
-from adagen.emit.stages import stamped
+from adagen.emit.processes import stamped
 from adagen.emit.symbols import Symbols
 from adagen.plan.messages import Message
 from adagen.plan.steps import (

@@ -7,7 +7,7 @@ from adagen.emit.forces import push_calls
 from adagen.emit.kernels import messages, mobility, shared_bound
 from adagen.emit.kernels.limb_spread import LimbSpread
 from adagen.emit.kernels.residual_sweep import ResidualSweep, blocks_of, links_looked_at, word
-from adagen.emit.stages import stamped
+from adagen.emit.processes import stamped
 from adagen.emit.symbols import Symbols
 from adagen.plan.edges import is_base
 from adagen.plan.simd_groups import Limbs, placed_links

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from adagen.emit.entries import entries_of, ranges
 from adagen.emit.messages import (
     block_calls,
     coupling_lines,
@@ -12,6 +11,7 @@ from adagen.emit.messages import (
     receive_lines,
     send_lines,
 )
+from adagen.emit.processes import entries_of, ranges
 from adagen.emit.symbols import Symbols
 from adagen.plan.messages import Message
 from adagen.plan.steps import Receive, Send

@@ -27,7 +27,7 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Join
 from adagen.plan.types import Process
 from adagen.program.lower import LOOPS, lower
-from adagen.program.own_axes import own_axes_in_loops
+from adagen.program.runs import own_axes_in_loops
 from adagen.program.slots import Slots
 from adagen.program.strips import LANES
 

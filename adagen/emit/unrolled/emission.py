@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from itertools import count
 
 from adagen.emit import guards
-from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
 from adagen.emit.messages import describe_message, message_size
+from adagen.emit.processes import entries_of, given_entries, ranges, read_joints
 from adagen.emit.symbols import Symbols
 from adagen.emit.unrolled.arrangement import (
     Arrangement,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 
 from adagen.emit import guards
-from adagen.emit.entries import entries_of, given_entries, ranges
+from adagen.emit.processes import entries_of, given_entries, ranges
 from adagen.emit.symbols import Symbols
 from adagen.emit.unrolled.text import TYPES, Text
 from adagen.executor import Machine

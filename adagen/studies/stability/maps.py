@@ -7,8 +7,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from flint import arb_mat, ctx
+from numpy.typing import NDArray
 
-from adagen.studies.stability.condition import condition
+from adagen.exact import exact
+from adagen.model import Model
+from adagen.reference.inertia import inertia_matrix
+from adagen.reference.numbers import BALLS
 from adagen.studies.stability.methods import METHODS, Trial, digits
 from adagen.studies.stability.motion import swing
 from adagen.studies.stability.robots import FAMILIES
@@ -88,3 +93,37 @@ def _step_map(progress: Callable[[str], None]) -> Map:
         _STEP_METHODS,
         tuple(rows),
     )
+
+
+_BITS = 512  # H of cond(H) = 1e25 is inverted to more digits than a double has
+
+
+def condition(model: Model, q: NDArray[np.float64]) -> float:
+    """Return cond(H), the largest eigenvalue of H over the least one, in mixed units.
+
+    H and its inverse are formed in ball arithmetic: in doubles the least eigenvalue is lost where
+    cond(H) comes near 1 / eps.
+
+    Args:
+        model: the robot.
+        q: configuration, shape (nq,).
+
+    Raises:
+        FloatingPointError: H is singular.
+    """
+    before = ctx.prec
+    ctx.prec = _BITS
+    try:
+        inertia = arb_mat(inertia_matrix(BALLS, model, exact(q)).tolist())
+        inverse = inertia.inv()
+    except ZeroDivisionError:
+        raise FloatingPointError("the joint-space inertia is singular") from None
+    finally:
+        ctx.prec = before
+    return _largest(inertia) * _largest(inverse)
+
+
+def _largest(matrix: arb_mat) -> float:
+    """Return the largest eigenvalue of a symmetric matrix."""
+    rows = [[float(x.mid()) for x in row] for row in matrix.tolist()]
+    return float(np.linalg.eigvalsh(np.array(rows))[-1])

@@ -14,9 +14,8 @@ from adagen.plan import make_plan
 from adagen.reference import exact_forward_dynamics
 from adagen.states import States, write_states
 from adagen.studies.stability import CASES, Case, robots, run_case
-from adagen.studies.stability.condition import condition
 from adagen.studies.stability.draw import draw_map
-from adagen.studies.stability.maps import Map
+from adagen.studies.stability.maps import Map, condition
 from adagen.studies.stability.methods import METHODS, Trial, digits
 from adagen.studies.stability.motion import energy_growth
 from adagen.studies.stability.textbook_methods import articulated, composite, true_acceleration
