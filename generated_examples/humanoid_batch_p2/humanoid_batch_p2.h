@@ -124,7 +124,8 @@ int humanoid_batch_p2_solve_batch(humanoid_batch_p2_solver* solver, int count, c
 
 // The same, collective: process 0 passes all states and gets all accelerations and failures; the
 // others may pass null and any count, or call serve. Faster processes solve more states.
-// If a process does not answer, accelerations that are missing are NaN, and failed_state names none.
+// If a process does not answer, accelerations that are missing are NaN, and failed_state names none;
+// keep the arrays until the solver is closed: a message that comes late may still touch them.
 int humanoid_batch_p2_solve_batch_at_root(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
 // Index of the k-th state that the last call could not solve, k from 0; -1 if there are fewer, or
