@@ -22,17 +22,9 @@ from adagen.executor.frames import Transform, columnwise
 from adagen.executor.front import Front
 from adagen.executor.loop_forces import forces_of_kept, give_forces
 from adagen.graph import matrix_times, total
+from adagen.plan import steps as do
 from adagen.plan.closure_steps import is_rigid
-from adagen.plan.steps import (
-    AccelerateHeld,
-    CarryRows,
-    CloseCoupling,
-    ClosedStep,
-    CloseLoop,
-    Eliminate,
-    HoldBack,
-    Release,
-)
+from adagen.plan.steps import ClosedStep
 
 Array = NDArray[Any]
 
@@ -46,29 +38,29 @@ class Closures(Constraints):
             self.fronts[step.closure] = Front(arms=self.arms.get(step.closure, ()))
         front = self.fronts[step.closure]
         match step:
-            case CloseLoop():
+            case do.CloseLoop():
                 self._close_loop(step, front)
-            case CloseCoupling():
+            case do.CloseCoupling():
                 self._close_coupling(step, front)
-            case HoldBack():
+            case do.HoldBack():
                 self._hold_back(step, front)
-            case CarryRows():
+            case do.CarryRows():
                 self._carry(step, front)
-            case Eliminate():
+            case do.Eliminate():
                 front.end_waiting()
                 self._look_at_rates(front)
                 lanes = [lane.eliminate for lane in self.lanes(step.closure)]
                 lanes = self.rod_halves.without(lanes, step.closure)
                 Elimination(self.state, lanes, front).run()
-            case Release():
+            case do.Release():
                 self._release(step, front)
-            case AccelerateHeld():
+            case do.AccelerateHeld():
                 front.outwards.append(step)
                 self._accelerate_known(front)
 
     # -- inwards ----------------------------------------------------------------------------------
 
-    def _hold_back(self, step: HoldBack, front: Front) -> None:
+    def _hold_back(self, step: do.HoldBack, front: Front) -> None:
         """Inward sweep through a joint whose acceleration becomes an unknown: its C, E and e."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
         joints, free = self.arm_lanes.holds.get(j, (j,)), list(self.state.kind(j).free)
@@ -114,7 +106,7 @@ class Closures(Constraints):
 
     def _pass(
         self,
-        step: HoldBack,
+        step: do.HoldBack,
         front: Front,
         inertia: Array,
         p: Array,
@@ -158,7 +150,7 @@ class Closures(Constraints):
                 rate = total([x * x for x in rates])
                 self._refuse_torn(opening.place, rate, opening.fastest)
 
-    def _carry(self, step: CarryRows, front: Front) -> None:
+    def _carry(self, step: do.CarryRows, front: Front) -> None:
         """Carry C through an eliminated joint, C - U D^-1 S^T C, and add its effect on E and e."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
         kind = self.state.kind(j)
@@ -194,7 +186,7 @@ class Closures(Constraints):
 
     # -- outwards ---------------------------------------------------------------------------------
 
-    def _release(self, step: Release, front: Front) -> None:
+    def _release(self, step: do.Release, front: Front) -> None:
         """Compute w from the top's acceleration, and its effect on eliminated joints."""
         rows = self.state.rows
         for solved in reversed(front.solved):
@@ -224,14 +216,14 @@ class Closures(Constraints):
                 moved = body.moved - body.factors.solve(pushed)
                 self.memory["articulated", j] = replace(body, moved=moved)
 
-    def _acceleration(self, step: Release) -> Array:
+    def _acceleration(self, step: do.Release) -> Array:
         """The acceleration of the top, shape (6, columns)."""
         tops = [lane.eliminate.link for lane in self.lanes(step.closure)]
         return self.state.rows.of_links("a", tops, self.state.zeros(6, self.state.columns))
 
     def _accelerate_known(self, front: Front) -> None:
         """Accelerate the joints whose unknowns are known now."""
-        waiting: list[AccelerateHeld] = []
+        waiting: list[do.AccelerateHeld] = []
         for step in front.outwards:
             half = self.rod_halves.at(step.joint)
             if half is None or half.find(front):
@@ -243,7 +235,7 @@ class Closures(Constraints):
         if again:
             self._accelerate_known(front)
 
-    def _accelerate(self, step: AccelerateHeld, front: Front) -> None:
+    def _accelerate(self, step: do.AccelerateHeld, front: Front) -> None:
         j, free, x = (
             step.joint,
             list(self.state.kind(step.joint).free),

@@ -17,23 +17,12 @@ from adagen.executor.lanes import steps_in_order
 from adagen.executor.repeatable import Repeatable
 from adagen.executor.residuals import Answer, Energies, Residuals
 from adagen.graph import Expression, matrix_times
-from adagen.plan.steps import (
-    Append,
-    Arrive,
-    Bias,
-    Block,
-    Correct,
-    Kinematics,
-    LinkBias,
-    Passage,
-    StartLink,
-    Step,
-    Traverse,
-)
+from adagen.plan import steps as do
+from adagen.plan.steps import Bias, Block, Passage, Step
 from adagen.plan.types import Process
 
 Array = NDArray[Any]
-_KINEMATICS = (Kinematics, Traverse, Append, Arrive)
+_KINEMATICS = (do.Kinematics, do.Traverse, do.Append, do.Arrive)
 
 
 class Corrections:
@@ -46,7 +35,9 @@ class Corrections:
 
     def __init__(self, machine: Repeatable, steps: Sequence[Step]) -> None:
         self.machine = machine
-        count = next((k for k, step in enumerate(steps) if isinstance(step, Correct)), len(steps))
+        count = next(
+            (k for k, step in enumerate(steps) if isinstance(step, do.Correct)), len(steps)
+        )
         self.steps = tuple(steps[:count])
         self.rounds: list[Repeatable] = []
         self._order: list[int] = []
@@ -57,7 +48,7 @@ class Corrections:
         """The correction that is being computed."""
         return self.rounds[-1]
 
-    def step(self, step: Correct) -> None:
+    def step(self, step: do.Correct) -> None:
         """Repeat some steps for the residuals; the first ones begin a correction."""
         if step.first == 0:
             self._begin()
@@ -73,7 +64,7 @@ class Corrections:
     def _again(self, step: Step) -> None:
         """Repeat a step; a link's residual is computed where the link's acceleration is."""
         bounds = self.machine.bounds
-        if isinstance(step, StartLink):
+        if isinstance(step, do.StartLink):
             with bounds.when_reached(step.link):
                 self.current.step(step)
         else:
@@ -100,7 +91,7 @@ class Corrections:
 
     def energies(self) -> Energies:
         """The energies of the links that the process starts."""
-        started = {s.link for s in self.steps if isinstance(s, StartLink | LinkBias)}
+        started = {s.link for s in self.steps if isinstance(s, do.StartLink | do.LinkBias)}
         links = [link for link in self.links() if link in started]
         return Energies(self.machine.motion, links)
 

@@ -26,22 +26,22 @@ from adagen.executor.lanes import Grouping
 from adagen.executor.machine import Machine
 from adagen.executor.run import Lines, Simulated
 from adagen.graph import Expression, Graph
+from adagen.plan import steps as do
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import (
-    Articulate,
-    FreeBase,
-    InvertRoot,
-    Kinematics,
-    Propagate,
-    StartEmpty,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Plan
 
 _MOST = 600_000
 """Values of a graph beyond which a new one is begun."""
-_KEPT = (Articulate, FreeBase, InvertRoot, Kinematics, Propagate, StartEmpty, StartLink)
+_KEPT = (
+    do.Articulate,
+    do.FreeBase,
+    do.InvertRoot,
+    do.Kinematics,
+    do.Propagate,
+    do.StartEmpty,
+    do.StartLink,
+)
 """Steps whose results are kept: those that depend on nothing but constants, lanes and operands."""
 
 
@@ -255,7 +255,7 @@ class _Counted(Machine):
         """The constants and lanes that a step depends on."""
         joint = getattr(step, "joint", getattr(step, "link", 0) - 1)
         rows, own = self.rows, self.rows.lanes(joint)
-        if isinstance(step, InvertRoot | StartEmpty):
+        if isinstance(step, do.InvertRoot | do.StartEmpty):
             return ()
         near = tuple(rows.row_at(link) for link in rows.near_links(joint))
         numbers = tuple(self._numbers[j] for j in own)

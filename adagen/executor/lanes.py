@@ -14,20 +14,13 @@ from typing import TypeVar
 
 from adagen.executor.closed_sweeps import closed_sweep
 from adagen.plan import Plan
+from adagen.plan import steps as do
 from adagen.plan.arms import arms_among
 from adagen.plan.closure_steps import closures_in, nature
 from adagen.plan.order import ends_of, inward_order, outward_order
 from adagen.plan.simd_groups import Limbs, sweep_of
 from adagen.plan.similar_closures import side_by_side
-from adagen.plan.steps import (
-    Accelerate,
-    Articulate,
-    CloseCoupling,
-    CloseLoop,
-    Kinematics,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Process
 
 Grouping = tuple[tuple[Limbs, ...], ...]
@@ -115,11 +108,11 @@ def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> 
     loops = {step for own in wide_unknown for step in own[1:]}
     for kind, group in groupby(enumerate(process.steps), lambda pair: sweep_of(pair[1])):
         steps = list(group)
-        if closures and kind in (Articulate, Accelerate):
+        if closures and kind in (do.Articulate, do.Accelerate):
             places += closed_sweep(
-                plan, steps, closures, lead_of, all_limbs, inwards=kind is Articulate
+                plan, steps, closures, lead_of, all_limbs, inwards=kind is do.Articulate
             )
-        elif all_limbs and kind in (Kinematics, Articulate, Accelerate):
+        elif all_limbs and kind in (do.Kinematics, do.Articulate, do.Accelerate):
             by_joint = {j: place for place, step in steps for j in [_joint_of(step)]}
             order = _swept(plan, [step for _, step in steps], all_limbs)
             places += [by_joint[j] for j in order]
@@ -131,22 +124,22 @@ def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> 
 
 def _hidden(step: Step, joints: Set[int], lead_of: Mapping[int, int]) -> bool:
     """Whether another step represents this one, which belongs to no sweep."""
-    if isinstance(step, CloseLoop | CloseCoupling):
+    if isinstance(step, do.CloseLoop | do.CloseCoupling):
         return lead_of.get(step.closure, step.closure) != step.closure
-    return isinstance(step, StartLink) and step.link - 1 in joints
+    return isinstance(step, do.StartLink) and step.link - 1 in joints
 
 
 def _joint_of(step: Step) -> int:
-    assert isinstance(step, Kinematics | Articulate | Accelerate)
+    assert isinstance(step, do.Kinematics | do.Articulate | do.Accelerate)
     return step.joint
 
 
 def _swept(plan: Plan, steps: Sequence[Step], all_limbs: Sequence[Limbs]) -> Iterator[int]:
     """Yield the joints of a sweep in its order, of rows the first."""
-    turned = {s.joint for s in steps if isinstance(s, Articulate | Accelerate) and s.reversed}
+    turned = {s.joint for s in steps if isinstance(s, do.Articulate | do.Accelerate) and s.reversed}
     joints = [_joint_of(step) for step in steps]
     sweep = {j: ends_of(plan.joints, j, j in turned) for j in joints}
-    inwards = isinstance(steps[0], Articulate)
+    inwards = isinstance(steps[0], do.Articulate)
     for unit in (inward_order if inwards else outward_order)(sweep, all_limbs):
         if isinstance(unit, Limbs):
             yield from (row[0] for row in (reversed(unit.rows) if inwards else unit.rows))

@@ -28,32 +28,10 @@ from adagen.executor.repeatable import Repeatable
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining
 from adagen.graph import Expression, Graph, Numbers, total
+from adagen.plan import steps as do
 from adagen.plan.messages import CERTIFICATE, ENERGIES, Message
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateHeld,
-    AccelerateRoot,
-    Append,
-    ApplyCoupling,
-    Arrive,
-    Certify,
-    ClosedStep,
-    Correct,
-    Disassemble,
-    GiveOutput,
-    Join,
-    Kinematics,
-    LinkBias,
-    Receive,
-    Refine,
-    Send,
-    SolveCoupling,
-    SolveMobility,
-    SolveRoot,
-    Step,
-    Traverse,
-)
+from adagen.plan.steps import ClosedStep, Step
 from adagen.plan.types import Plan
 
 Array = NDArray[Any]
@@ -107,25 +85,25 @@ class Machine(Repeatable):
     def step(self, step: Step) -> bool:
         """Execute one step; return False if it has to wait for a message."""
         match step:
-            case Receive():
+            case do.Receive():
                 return self._receive(step.message)
-            case Send():
+            case do.Send():
                 self._send(step.message)
-            case Kinematics():
+            case do.Kinematics():
                 self.motion.kinematics(step.joint)
-            case Traverse() | Append() | Arrive():
+            case do.Traverse() | do.Append() | do.Arrive():
                 self.passages.step(step)
-            case LinkBias():
+            case do.LinkBias():
                 self.joins.link_bias(step.link)
-            case Join():
+            case do.Join():
                 self.joins.join(step)
-            case Disassemble():
+            case do.Disassemble():
                 self.joins.disassemble(step)
-            case SolveCoupling():
+            case do.SolveCoupling():
                 self._solve_coupling()
-            case ApplyCoupling():
+            case do.ApplyCoupling():
                 self._apply_coupling()
-            case GiveOutput():
+            case do.GiveOutput():
                 self.outputs[step.output] = self.given_outputs.output(step.output)
             case _ if isinstance(step, ClosedStep):
                 self.closures.step(step)
@@ -137,13 +115,13 @@ class Machine(Repeatable):
     def _swept(self, step: Step) -> None:
         """Execute a step inside a segment, or one that needs all of them."""
         match step:
-            case Certify():
+            case do.Certify():
                 self.bounds.carry_out(step)
                 return
-            case Correct():
+            case do.Correct():
                 self.corrections.step(step)
                 return
-            case Refine():
+            case do.Refine():
                 self.corrections.finish()
                 return
         self.segments.step(step)
@@ -154,12 +132,12 @@ class Machine(Repeatable):
         if not self.plan.certified or self.left is not None:
             return
         match step:
-            case SolveRoot() | SolveMobility() | AccelerateRoot():
+            case do.SolveRoot() | do.SolveMobility() | do.AccelerateRoot():
                 self.bounds.reach(step.link - 1, root=True)
-            case Accelerate(reversed=True):
+            case do.Accelerate(reversed=True):
                 assert isinstance(self.bounds, Certificate)  # closed loops are one process's
                 self.bounds.reach_back(step.joint)
-            case Accelerate() | AccelerateHeld():
+            case do.Accelerate() | do.AccelerateHeld():
                 self.bounds.reach(step.joint)
 
     @property

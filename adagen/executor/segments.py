@@ -20,26 +20,10 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, factorize, matrix_times, solve_by_reflections, total
 from adagen.model import REACTION_FORCE
+from adagen.plan import steps as do
 from adagen.plan.digits import LEAST_PIVOT
 from adagen.plan.order import ends_of
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateRoot,
-    Articulate,
-    Deliver,
-    FreeAcceleration,
-    FreeBase,
-    HoldMobility,
-    InvertRoot,
-    Load,
-    LoadRoot,
-    Propagate,
-    SolveMobility,
-    SolveRoot,
-    StartEmpty,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 
 Array = NDArray[Any]
 _HALVES = (range(3), range(3, 6))  # angular and linear
@@ -78,29 +62,29 @@ class Segments:
     def step(self, step: Step) -> None:
         """Do one step."""
         match step:
-            case StartLink():
+            case do.StartLink():
                 self.memory["IA", step.link] = self.motion.link_inertia(step.link)
                 force = self.motion.link_force(step.link)
                 self.memory["pA", step.link] = self.state.on_link(step.link, force)
-            case StartEmpty():
+            case do.StartEmpty():
                 self.memory["IA", step.link] = self.state.zeros(6, 6)
                 self.memory["pA", step.link] = self._nothing(step.link)
-            case FreeBase():
+            case do.FreeBase():
                 free = list(self.state.kind(step.joint).free)
                 p = self.memory["pA", step.joint + 1].copy()
                 p[free] = p[free] - self.state.torques(step.joint)
                 self.memory["pA", step.joint + 1] = p
-            case Articulate():
+            case do.Articulate():
                 self._articulate(step)
-            case Propagate():
+            case do.Propagate():
                 self._propagate(step)
-            case Load():
+            case do.Load():
                 none = self.state.zeros(6, self.state.columns)
                 force = none if step.force is None else self.memory[step.force]
                 self.memory["load", step.link] = force
-            case Deliver():
+            case do.Deliver():
                 self._deliver(step)
-            case FreeAcceleration():
+            case do.FreeAcceleration():
                 a, drift = self.memory["a", step.joint + 1], self.motion.drift(step.joint)
                 free = list(self.state.kind(step.joint).free)
                 self.state.accelerate(step.joint, (a if drift is None else a - drift)[free])
@@ -110,7 +94,7 @@ class Segments:
                     drive = self.state.zeros(*a.shape)
                     drive[free] = self.state.torques(step.joint)
                     self.memory["reaction", step.joint + 1] = drive
-            case Accelerate():
+            case do.Accelerate():
                 self._accelerate(step)
             case _:
                 self._at_root(step)
@@ -122,7 +106,7 @@ class Segments:
             return self.state.zeros(6, self.state.columns)
         return self.state.column(left.by_loops(link))
 
-    def _brought(self, step: Articulate, inertia: Array) -> Expression | None:
+    def _brought(self, step: do.Articulate, inertia: Array) -> Expression | None:
         """Trace of the contributions from beyond to where D is found; None if D cannot be noise.
 
         What the bare link has along a joint is exact, and so is what others bring, by exact turns;
@@ -138,7 +122,7 @@ class Segments:
         bare = self.motion.link_inertia(step.joint + 1)
         return brought - total([bare[k, k] for k in range(first, first + 3)])
 
-    def _articulate(self, step: Articulate) -> None:
+    def _articulate(self, step: do.Articulate) -> None:
         near, far = ends_of(self.state.plan.joints, step.joint, step.reversed)
         sigma = -1 if step.reversed else 1
         kind = self.state.kind(step.joint)
@@ -198,7 +182,7 @@ class Segments:
             matrix[k, k] = entry
         return matrix
 
-    def _held(self, step: Propagate | Deliver, m: Array) -> Array:
+    def _held(self, step: do.Propagate | do.Deliver, m: Array) -> Array:
         """K m with K = 1 - S D^-1 S^T I^A: the near side's motion as the far side shares it."""
         kind = self.state.kind(step.joint)
         body: Articulated = self.memory["articulated", step.joint]
@@ -212,7 +196,7 @@ class Segments:
                     result[row, c] = total([result[row, c], *(body.kept[k] * m[free, c])])
         return result
 
-    def _propagate(self, step: Propagate) -> None:
+    def _propagate(self, step: do.Propagate) -> None:
         x: Transform = self.memory["X", step.joint]
         free = list(self.state.kind(step.joint).free)
         body: Articulated = self.memory["articulated", step.joint]
@@ -236,7 +220,7 @@ class Segments:
             self.memory[spread.target] = value.T if spread.target_transposed else value
 
     def _far_acceleration(
-        self, step: Propagate | Accelerate, near: Array | None
+        self, step: do.Propagate | do.Accelerate, near: Array | None
     ) -> tuple[Array, Array]:
         """The product sigma qdd, and the far link's deviation from the near link's (None: none)."""
         sigma = -1 if step.reversed else 1
@@ -264,7 +248,7 @@ class Segments:
             far[free] = alike + matrix_times(body.kept, a[free])
         return moved, columnwise(x.motion_back, far) if step.reversed else far
 
-    def _deliver(self, step: Deliver) -> None:
+    def _deliver(self, step: do.Deliver) -> None:
         near, far = ends_of(self.state.plan.joints, step.joint, step.reversed)
         x: Transform = self.memory["X", step.joint]
         kind = self.state.kind(step.joint)
@@ -291,7 +275,7 @@ class Segments:
             rest = columnwise(x.force, rest)
         self.memory["load", near] = self.memory["load", near] + rest
 
-    def _accelerate(self, step: Accelerate) -> None:
+    def _accelerate(self, step: do.Accelerate) -> None:
         near, far = ends_of(self.state.plan.joints, step.joint, step.reversed)
         sigma = -1 if step.reversed else 1
         rows = self.state.rows
@@ -303,10 +287,10 @@ class Segments:
         if self.reactions.intersection(j + 1 for j in rows.own(step.joint)):
             self.memory["reaction", step.joint + 1] = self._force(step, far)
 
-    def _keep_force(self, step: Accelerate, far: int) -> None:
+    def _keep_force(self, step: do.Accelerate, far: int) -> None:
         self.state.keep_force(step.joint, self._force(step, far), driven=True)
 
-    def _force(self, step: Accelerate, far: int) -> Array:
+    def _force(self, step: do.Accelerate, far: int) -> Array:
         """F = I^A a + p^A - load of the far link, as it acts on the child link."""
         force: Array = (
             matrix_times(self.memory["IA", far], self.memory["a", far]) + self.memory["pA", far]
@@ -323,23 +307,23 @@ class Segments:
     def _at_root(self, step: Step) -> None:
         """Do a step at a root: mobilities from inertias, inertias from mobilities."""
         match step:
-            case InvertRoot():
+            case do.InvertRoot():
                 factors = self.state.factorize(self.memory["IA", step.link], step.link - 1)
                 phi = self._inverse(factors)
                 self.memory[step.block] = phi
                 self.memory[step.bias] = -matrix_times(phi, self.memory["pA", step.link])
-            case SolveRoot():
+            case do.SolveRoot():
                 factors = self.state.factorize(self.memory["IA", step.link], step.link - 1)
                 self.memory["a", step.link] = factors.solve(-self.memory["pA", step.link])
-            case SolveMobility():
+            case do.SolveMobility():
                 self.memory["a", step.link] = self._under_mobility(step)
-            case HoldMobility():
+            case do.HoldMobility():
                 self._hold(step)
-            case LoadRoot():
+            case do.LoadRoot():
                 inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
                 load = matrix_times(inertia, self.memory["a", step.link]) + p
                 self.memory["load", step.link] = load if step.held else -load
-            case AccelerateRoot():
+            case do.AccelerateRoot():
                 phi, b = self.memory[step.block], self.memory[step.bias]
                 load = self.memory["load", step.link]
                 self.memory["a", step.link] = b + matrix_times(phi, load)
@@ -356,7 +340,7 @@ class Segments:
                 inverse[i, k] = inverse[k, i] = total(half[:, i] * over[:, k])
         return inverse
 
-    def _hold(self, step: HoldMobility) -> None:
+    def _hold(self, step: do.HoldMobility) -> None:
         """Phi^-1 and -Phi^-1 b, if no pivot of Phi is small beside the largest of its kind."""
         phi, b = self.memory[step.block], self.memory[step.bias]
         factors, least = factorize(phi), LEAST_PIVOT[self.state.plan.scalar]
@@ -374,7 +358,7 @@ class Segments:
         first, second, third = (matrix[k, k] for k in rows)
         return self.state.graph.larger(self.state.graph.larger(first, second), third)  # type: ignore[no-any-return]
 
-    def _under_mobility(self, step: SolveMobility) -> Array:
+    def _under_mobility(self, step: do.SolveMobility) -> Array:
         """The a of (1 + Phi I) a = b - Phi p, shape (6, columns).
 
         Phi and I may both be singular, and rows would have to be exchanged by size: reflections

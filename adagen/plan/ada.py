@@ -11,27 +11,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+from adagen.plan import steps as do
 from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Fusions, Run
 from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import (
-    ApplyCoupling,
     Bias,
     BiasUpdate,
     Block,
     BlockUpdate,
     Coupling,
-    Disassemble,
     Force,
     ForceUpdate,
-    FusedJoin,
-    Join,
-    Kinematics,
-    LinkBias,
-    Receive,
-    Send,
-    SolveCoupling,
     Step,
 )
 from adagen.plan.types import Process
@@ -135,7 +127,7 @@ class AdaPlanner:
         processes = []
         for steps, owns in zip(self.steps, self.owns, strict=True):
             reads = on_the_way(self.joints, owns)
-            kinematics = [Kinematics(j) for j in reads]
+            kinematics = [do.Kinematics(j) for j in reads]
             processes.append(Process((*kinematics, *steps), reads, tuple(sorted(owns))))
         return tuple(processes), tuple(self.messages)
 
@@ -163,7 +155,7 @@ class AdaPlanner:
     def _bare(self, link: int, process: int) -> Chain:
         """Return a bare link as a chain of a process, which finds its bias."""
         if link > 0:
-            self.steps[process].append(LinkBias(link))
+            self.steps[process].append(do.LinkBias(link))
         return bare(link, process)
 
     def _inside(self, node: Node) -> bool:  # noqa: ARG002 (form ada has no segments)
@@ -187,8 +179,8 @@ class AdaPlanner:
     def _message(self, message: Message) -> None:
         number = len(self.messages)
         self.messages.append(message)
-        self.steps[message.source].append(Send(number))
-        self.steps[message.target].append(Receive(number))
+        self.steps[message.source].append(do.Send(number))
+        self.steps[message.target].append(do.Receive(number))
 
     def _ends(self, run: Run) -> tuple[int, int]:
         """The links that a joint, or a run of joints, connects."""
@@ -205,7 +197,7 @@ class AdaPlanner:
         blocks, biases = _updates(whole, couplings)
         at_child = b.block(child, child)
         assert at_child is not None  # the child link is a handle of B until this very join
-        join = Join(
+        join = do.Join(
             i,
             a.block(parent, parent),
             a.biases.get(parent),
@@ -216,14 +208,14 @@ class AdaPlanner:
             biases,
             velocity_product=parent > 0,
         )
-        self.steps[process].append(join if len(run) == 1 else FusedJoin(**vars(join), run=run))
+        self.steps[process].append(join if len(run) == 1 else do.FusedJoin(**vars(join), run=run))
         return whole
 
     # --- disassembly ---------------------------------------------------------------------------
 
     def _disassemble(self, top: Chain) -> None:
         stack: list[tuple[Chain, dict[int, Force]]] = [(top, {})]
-        joins = {s.joint: s for steps in self.steps for s in steps if isinstance(s, Join)}
+        joins = {s.joint: s for steps in self.steps for s in steps if isinstance(s, do.Join)}
         while stack:
             chain, forces = stack.pop()
             if chain.segment is not None:
@@ -234,7 +226,7 @@ class AdaPlanner:
             updates = []
             below = []
             join = joins[i]
-            ends = self._ends(join.run if isinstance(join, FusedJoin) else (i,))
+            ends = self._ends(join.run if isinstance(join, do.FusedJoin) else (i,))
             for side, part, at in zip("AB", chain.parts, ends, strict=True):
                 if part.joint is None:
                     continue
@@ -245,7 +237,7 @@ class AdaPlanner:
                 below.append((part, inner))
             outer = tuple(forces[coupling.handle] for coupling in join.couplings)
             for p in self._joining(chain):
-                self.steps[p].append(Disassemble(i, outer, tuple(updates)))
+                self.steps[p].append(do.Disassemble(i, outer, tuple(updates)))
             for part, inner in below:
                 self._send_forces(chain, part, inner)
             stack.extend(reversed(below))
@@ -279,12 +271,12 @@ class AdaPlanner:
             joints = tuple(sorted(involved.intersection(self.owns[p])))
             if p != 0 and joints:
                 self._message(Message(p, 0, "slaved", None, joints=joints))
-        self.steps[0].append(SolveCoupling())
+        self.steps[0].append(do.SolveCoupling())
         for p in owners:
             if p != 0:
                 self._message(Message(0, p, "torques", None))
         for p in owners:
-            self.steps[p].append(ApplyCoupling())
+            self.steps[p].append(do.ApplyCoupling())
 
 
 def assembled(chain: Chain, source: int, target: int) -> Message:

@@ -13,22 +13,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from adagen.model.fuse import Run
+from adagen.plan import steps as do
 from adagen.plan.closures import Closure
 from adagen.plan.clusters import ClusterPlanner
 from adagen.plan.edges import on_the_way
 from adagen.plan.messages import Message
 from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, first_rows
-from adagen.plan.steps import (
-    Articulate,
-    CloseCoupling,
-    CloseLoop,
-    FusedJoin,
-    Join,
-    Kinematics,
-    LinkBias,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Process
 from adagen.schedule import Schedule
 
@@ -82,7 +73,7 @@ class ClosedAdaPlanner(ClusterPlanner):
         """A process with the constraints at its links and joints before they are needed."""
         if not process.steps:
             return process
-        links = {step.link for step in process.steps_of(LinkBias, StartLink)}
+        links = {step.link for step in process.steps_of(do.LinkBias, do.StartLink)}
         joined = _joined(process.steps)
         steps: list[Step] = []
         passed = set(process.reads)
@@ -90,17 +81,17 @@ class ClosedAdaPlanner(ClusterPlanner):
             ends = set(loop.links)
             if all_of_them or links & ends:
                 rows = range(self._firsts[k], self._firsts[k + 1])
-                steps.append(CloseLoop.of(k, 0, rows, self._number))
+                steps.append(do.CloseLoop.of(k, 0, rows, self._number))
                 passed |= {link - 1 for link in ends if link > 0}
         for k, coupling in enumerate(self.couplings):
             tied = {j for j, _ in coupling.terms}
             if all_of_them or joined & tied:
                 unknown = self._number.get(self._firsts[-1] + k)
-                steps.append(CloseCoupling(k, 0, unknown))
+                steps.append(do.CloseCoupling(k, 0, unknown))
                 passed |= tied
         reads = on_the_way(self.joints, passed)
-        rest = [step for step in process.steps if not isinstance(step, Kinematics)]
-        moved = [Kinematics(j) for j in reads]
+        rest = [step for step in process.steps if not isinstance(step, do.Kinematics)]
+        moved = [do.Kinematics(j) for j in reads]
         return Process((*moved, *steps, *rest), reads, process.owns, process.shares)
 
 
@@ -109,8 +100,8 @@ def _joined(steps: Sequence[Step]) -> set[int]:
     joined: set[int] = set()
     for step in steps:
         match step:
-            case FusedJoin():
+            case do.FusedJoin():
                 joined.update(step.run)
-            case Join() | Articulate():
+            case do.Join() | do.Articulate():
                 joined.add(step.joint)
     return joined

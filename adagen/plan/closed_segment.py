@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from adagen.errors import InputError
+from adagen.plan import steps as do
 from adagen.plan.ada import AdaPlanner
 from adagen.plan.closure_elimination import ClosureElimination
 from adagen.plan.closures import Closure
@@ -26,19 +27,7 @@ from adagen.plan.gather_trees import Tree
 from adagen.plan.independent_coordinates import LARGE
 from adagen.plan.messages import Message
 from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, bound_by_loops
-from adagen.plan.steps import (
-    Accelerate,
-    ApplyCoupling,
-    Articulate,
-    FreeAcceleration,
-    FreeBase,
-    Kinematics,
-    Release,
-    SideOfLoops,
-    SolveCoupling,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import SideOfLoops, Step
 from adagen.plan.types import Process
 from adagen.schedule import Schedule
 from adagen.schedule.tree import Gathered
@@ -130,12 +119,12 @@ class ClosedPlanner(AdaPlanner):
 
     def _steps(self, way: ClosureElimination) -> Iterator[Step]:
         """All steps of one process."""
-        yield from (Kinematics(j) for j in range(len(self.joints)))
-        yield from (StartLink(j + 1) for j in range(len(self.joints)))
+        yield from (do.Kinematics(j) for j in range(len(self.joints)))
+        yield from (do.StartLink(j + 1) for j in range(len(self.joints)))
         for number in range(len(way.closures)):
             yield from way.constraints(number)
         aside = set(self.open_limbs)
-        yield from (Articulate(j, reversed=False) for j in reversed(self.open_limbs))
+        yield from (do.Articulate(j, reversed=False) for j in reversed(self.open_limbs))
         at_top: dict[int, list[int]] = {}
         for number, closure in enumerate(way.closures):
             at_top.setdefault(closure.top, []).append(number)
@@ -144,14 +133,14 @@ class ClosedPlanner(AdaPlanner):
                 yield from map(way.eliminate, at_top.get(j + 1, ()))
                 yield from way.inwards(j)
         yield from map(way.eliminate, at_top.get(0, ()))
-        yield from (Release(0, k) for k in at_top.get(0, ()))
+        yield from (do.Release(0, k) for k in at_top.get(0, ()))
         for j in range(len(self.joints)):
             if j not in aside:
                 yield way.outwards(j)
-                yield from (Release(j + 1, k) for k in at_top.get(j + 1, ()))
-        yield from (Accelerate(j, reversed=False) for j in self.open_limbs)
+                yield from (do.Release(j + 1, k) for k in at_top.get(j + 1, ()))
+        yield from (do.Accelerate(j, reversed=False) for j in self.open_limbs)
         if self.coupled():
-            yield from (SolveCoupling(), ApplyCoupling())
+            yield from (do.SolveCoupling(), do.ApplyCoupling())
 
     # -- several processes ------------------------------------------------------------------------
 
@@ -271,7 +260,7 @@ class _ClosedSteps(ProcessSteps):
         yield from (
             step
             for step in super()._inwards(tree)
-            if base is None or not isinstance(step, FreeBase)
+            if base is None or not isinstance(step, do.FreeBase)
         )
         if base is not None:
             yield from self.way.inwards(base)
@@ -285,21 +274,21 @@ class _ClosedSteps(ProcessSteps):
         if number not in self._released:
             yield self.way.eliminate(number)
             self._released.add(number)
-            yield Release(0, number)
+            yield do.Release(0, number)
         yield self.way.outwards(tree.base)
 
     def _outwards_again(self, tree: Tree) -> Iterator[Step]:
         """Steps of accelerations; that of a base which carries rows is known by then."""
         base = tree.base in self._apart
         again = super()._outwards_again(tree)
-        return (step for step in again if not (base and isinstance(step, FreeAcceleration)))
+        return (step for step in again if not (base and isinstance(step, do.FreeAcceleration)))
 
     def swept(self, own: Sequence[Edge]) -> Iterator[Step]:
         """Yield the inward steps of its joints; a closure ends with its last joint."""
         for edge in reversed(own):
             number = self.way.closure_of(edge.joint)
             if number is None:
-                yield Articulate(edge.joint, edge.reversed)
+                yield do.Articulate(edge.joint, edge.reversed)
                 continue
             yield from self.way.inwards(edge.joint)
             self._left[number] -= 1
@@ -311,9 +300,9 @@ class _ClosedSteps(ProcessSteps):
         for edge in own:
             number = self.way.closure_of(edge.joint)
             if number is None:
-                yield Accelerate(edge.joint, edge.reversed)
+                yield do.Accelerate(edge.joint, edge.reversed)
                 continue
             if number not in self._released:
                 self._released.add(number)
-                yield Release(self.way.closures[number].top, number)
+                yield do.Release(self.way.closures[number].top, number)
             yield self.way.outwards(edge.joint)

@@ -6,23 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from adagen.model.kinds import KINDS
+from adagen.plan import steps as do
 from adagen.plan.closures import Choice, Closure
 from adagen.plan.edges import is_free_base
 from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, first_rows
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateHeld,
-    Articulate,
-    CarryRows,
-    CloseCoupling,
-    CloseLoop,
-    Eliminate,
-    FreeAcceleration,
-    FreeBase,
-    HoldBack,
-    SolveRoot,
-    Step,
-)
+from adagen.plan.steps import Step
 
 
 @dataclass(frozen=True)
@@ -81,15 +69,15 @@ class ClosureElimination:
         own = self._own[number]
         for k in own.closure.loops:
             rows = range(self._firsts[k], self._firsts[k + 1])
-            yield CloseLoop.of(k, number, rows, own.forces)
+            yield do.CloseLoop.of(k, number, rows, own.forces)
         for k in own.closure.couplings:
-            yield CloseCoupling(k, number, own.forces.get(self._firsts[len(self.loops) + k]))
+            yield do.CloseCoupling(k, number, own.forces.get(self._firsts[len(self.loops) + k]))
 
-    def eliminate(self, number: int) -> Eliminate:
+    def eliminate(self, number: int) -> do.Eliminate:
         """Return the step that eliminates the unknowns of a closure."""
         own = self._own[number]
         choice, held = own.choice, own.closure.top > 0 and self._on_ground(own.closure)
-        return Eliminate(
+        return do.Eliminate(
             own.closure.top,
             number,
             tuple(own.freedoms[entry] for entry in choice.moved),
@@ -111,22 +99,22 @@ class ClosureElimination:
         number = self.closure_of(j)
         if number is None:
             if is_free_base(self.joints[j]):
-                yield FreeBase(j)
-                yield SolveRoot(j + 1)
+                yield do.FreeBase(j)
+                yield do.SolveRoot(j + 1)
             else:
-                yield Articulate(j, reversed=False)
+                yield do.Articulate(j, reversed=False)
         elif j in self.closures[number].held:
             freedoms = self._own[number].freedoms  # none where its acceleration is prescribed
-            yield HoldBack(j, number, freedoms.get(self.joints[j].v, 0))
+            yield do.HoldBack(j, number, freedoms.get(self.joints[j].v, 0))
         else:
-            yield Articulate(j, reversed=False)
-            yield CarryRows(j, number)
+            yield do.Articulate(j, reversed=False)
+            yield do.CarryRows(j, number)
 
     def outwards(self, j: int) -> Step:
         """Return the step of the accelerations of a joint and of the link beyond."""
         number = self.closure_of(j)
         if number is not None and j in self.closures[number].held:
-            return AccelerateHeld(j, number)
+            return do.AccelerateHeld(j, number)
         if number is None and is_free_base(self.joints[j]):
-            return FreeAcceleration(j)
-        return Accelerate(j, reversed=False)
+            return do.FreeAcceleration(j)
+        return do.Accelerate(j, reversed=False)

@@ -20,6 +20,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from adagen.errors import UsageError
+from adagen.plan import steps as do
 from adagen.plan.ada import Chain, assembled, bare
 from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Run
@@ -27,18 +28,7 @@ from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint, slaved_joint
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.sent_passages import can_send_passage
-from adagen.plan.steps import (
-    Append,
-    Arrive,
-    Force,
-    Kinematics,
-    LinkBias,
-    Passage,
-    Receive,
-    Send,
-    Step,
-    Traverse,
-)
+from adagen.plan.steps import Force, Passage, Step
 from adagen.plan.types import Process
 from adagen.schedule import Node, Schedule, postorder
 
@@ -118,14 +108,14 @@ class ExchangePlanner(SegmentPlanner):
             )
             if passages is None:
                 reads = on_the_way(self.joints, (*own, *shares))
-                every: list[Step] = [*map(Kinematics, reads), *steps]
+                every: list[Step] = [*map(do.Kinematics, reads), *steps]
             else:
                 before = passages.hung_on(p)
                 reads = (*before, *own)
                 every = [
-                    *map(Kinematics, before),
+                    *map(do.Kinematics, before),
                     *passages.steps[p],
-                    *map(Kinematics, own),
+                    *map(do.Kinematics, own),
                     *steps,
                 ]
             found.append(Process(tuple(every), reads, tuple(own), tuple(shares)))
@@ -172,7 +162,7 @@ class ExchangePlanner(SegmentPlanner):
         """Steps for a bare link's bias on every process that joins it."""
         links = [link for part in (a, b) if part.joint is None for link in part.biases]
         for p in self._joining_parts(a, b) or {process}:
-            self.steps[p] += map(LinkBias, links)
+            self.steps[p] += map(do.LinkBias, links)
 
     def _joining_parts(self, *parts: Chain) -> set[int]:
         """The processes that know one of two parts; what the ground holds shows nothing."""
@@ -190,9 +180,9 @@ class ExchangePlanner(SegmentPlanner):
         self.messages += messages
         numbered = list(enumerate(self.messages[first:], start=first))
         for number, message in numbered:
-            to[message.source].append(Send(number))
+            to[message.source].append(do.Send(number))
         for number, message in numbered:
-            to[message.target].append(Receive(number))
+            to[message.target].append(do.Receive(number))
 
     def _join(self, run: Run, process: int, a: Chain, b: Chain) -> Chain:
         """Join two parts on all processes that know them."""
@@ -303,7 +293,7 @@ class Passages:
         """
         at_work = self.planner.at_work[node.joint]
         if len(at_work) == 1:
-            self.steps[at_work[0]].append(Traverse(self._passage(at_work)))
+            self.steps[at_work[0]].append(do.Traverse(self._passage(at_work)))
             return at_work
         groups = self._groups(node)
         knowing = [self._put_together(group) for group in groups]
@@ -340,7 +330,7 @@ class Passages:
         for k in range(1, len(members)):
             near = (members[0][0], members[k - 1][-1])
             passages = ((members[0][0], members[k][-1]), near, members[k])
-            self.steps[p].append(Append(*map(self._passage, passages)))
+            self.steps[p].append(do.Append(*map(self._passage, passages)))
 
     @staticmethod
     def _message(passage: Passage, source: int, target: int) -> Message:
@@ -362,7 +352,7 @@ class Passages:
                 before = self._passage((at_work[0], own[0] - 1))
                 near = before.link
                 for p in own:
-                    self.steps[p].append(Arrive(before, start))
+                    self.steps[p].append(do.Arrive(before, start))
             self._arrive(group, near)
 
 

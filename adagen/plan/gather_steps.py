@@ -9,31 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from adagen.plan import steps as do
 from adagen.plan.edges import Edge, edges_from, joints_at, on_the_way
 from adagen.plan.gather_trees import Tree
 from adagen.plan.messages import Message
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import Component, mobility_steps
-from adagen.plan.steps import (
-    Accelerate,
-    Articulate,
-    Bias,
-    Block,
-    Deliver,
-    FreeAcceleration,
-    FreeBase,
-    HoldMobility,
-    Kinematics,
-    Load,
-    LoadRoot,
-    Receive,
-    Send,
-    SolveMobility,
-    SolveRoot,
-    StartEmpty,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Bias, Block, Step
 from adagen.plan.types import Process
 
 
@@ -133,7 +115,7 @@ class ProcessSteps:
         owns = self.owns()
         shared = {joint for tree in self.trees for joint in tree.core}
         reads = on_the_way(self.joints, (*owns, *shared, *self.looks_at()))
-        kinematics = [Kinematics(joint) for joint in reads]
+        kinematics = [do.Kinematics(joint) for joint in reads]
         again = (*kinematics, *recovery) if recovery else ()
         extra = tuple(sorted(shared.difference(owns)))
         return Process((*kinematics, *evaluation), reads, owns, extra, again)
@@ -148,9 +130,9 @@ class ProcessSteps:
         apart = [tree for tree in self.trees if self.tells_of(tree)]
         alone = [tree for tree in self.trees if not self.tells_of(tree)]
         steps = self._all_inwards(apart)
-        steps += map(Send, sends)
+        steps += map(do.Send, sends)
         steps += self._all_inwards(alone)
-        steps += map(Receive, receives)
+        steps += map(do.Receive, receives)
         for tree in self.trees:
             steps += self._solve(tree)
             steps += self._outwards_again(tree)
@@ -167,31 +149,31 @@ class ProcessSteps:
     def _started(self, tree: Tree) -> Iterator[Step]:
         """The links that a process sweeps, and core links to which it contributes."""
         own, shared = tree.branches(self.process), len(tree.participants) > 1
-        yield from (StartLink(edge.far) for edge in own if edge.far > 0)
+        yield from (do.StartLink(edge.far) for edge in own if edge.far > 0)
         for link in sorted(tree.core_links - {0}):
             if tree.link_owner(link) == self.process:
-                yield StartLink(link)
+                yield do.StartLink(link)
             elif shared:
-                yield StartEmpty(link)
+                yield do.StartEmpty(link)
         if tree.grounded == self.process:
-            yield from (StartLink(e.far) for e in tree.ground_side if e.far > 0)
+            yield from (do.StartLink(e.far) for e in tree.ground_side if e.far > 0)
 
     def _inwards(self, tree: Tree) -> Iterator[Step]:
         """Steps of the sweep to the core, and of the core itself."""
         own, grounded = tree.branches(self.process), tree.grounded == self.process
         if tree.base is not None and self._has_base(tree):
-            yield FreeBase(tree.base)
+            yield do.FreeBase(tree.base)
         if grounded and tree.hold:
             yield from self._from_ground_to(tree, tree.hold)
-            yield HoldMobility(tree.hold, *_shown(tree.hold))
+            yield do.HoldMobility(tree.hold, *_shown(tree.hold))
         yield from self.swept(own)
         if grounded and not tree.hold:
             yield from self._from_ground_to(tree, tree.root)
-            yield StartEmpty(tree.root)  # from now on: what the others add
+            yield do.StartEmpty(tree.root)  # from now on: what the others add
 
     def swept(self, own: Sequence[Edge]) -> Iterator[Step]:
         """Yield the inward steps of the process's own joints, which are given outwards."""
-        return (Articulate(edge.joint, edge.reversed) for edge in reversed(own))
+        return (do.Articulate(edge.joint, edge.reversed) for edge in reversed(own))
 
     def accelerated(self, own: Sequence[Edge]) -> Iterator[Step]:
         """Yield the acceleration steps of the process's own joints."""
@@ -200,7 +182,7 @@ class ProcessSteps:
     def _from_ground_to(self, tree: Tree, link: int) -> Iterator[Step]:
         """Phi and b of a link with all joints between it and the ground, from the ground."""
         component = self._from_ground(tree, link)
-        yield from (Articulate(e.joint, e.reversed) for e in reversed(component.edges))
+        yield from (do.Articulate(e.joint, e.reversed) for e in reversed(component.edges))
         yield from mobility_steps(link - 1, component)[0]
 
     def _from_ground(self, tree: Tree, link: int) -> Component:
@@ -209,11 +191,11 @@ class ProcessSteps:
         return Component(0, edges_from(0, self.joints, at), [link])
 
     def _solve(self, tree: Tree) -> Iterator[Step]:
-        yield from (Articulate(e.joint, e.reversed) for e in reversed(tree.core_edges))
+        yield from (do.Articulate(e.joint, e.reversed) for e in reversed(tree.core_edges))
         if tree.grounded is not None and not tree.hold:
-            yield SolveMobility(tree.root, *_shown(tree.root))
+            yield do.SolveMobility(tree.root, *_shown(tree.root))
         elif tree.root > 0:
-            yield SolveRoot(tree.root)
+            yield do.SolveRoot(tree.root)
 
     def _outwards_again(self, tree: Tree) -> Iterator[Step]:
         own = tree.branches(self.process)
@@ -224,14 +206,14 @@ class ProcessSteps:
         if grounded:
             link = tree.hold or tree.root
             component = self._from_ground(tree, link)
-            yield from (Load(e.near, None) for e in component.path if e.near > 0)
-            yield LoadRoot(link, held=tree.hold > 0)
-            yield from (Deliver(e.joint, e.reversed) for e in reversed(component.path))
+            yield from (do.Load(e.near, None) for e in component.path if e.near > 0)
+            yield do.LoadRoot(link, held=tree.hold > 0)
+            yield from (do.Deliver(e.joint, e.reversed) for e in reversed(component.path))
             yield from _accelerated(component.edges)
         if not (grounded and tree.hold):
             yield from self.accelerated(own)
         if tree.base is not None and self._has_base(tree):
-            yield FreeAcceleration(tree.base)
+            yield do.FreeAcceleration(tree.base)
 
 
 def _shown(link: int) -> tuple[Block, Bias]:
@@ -239,4 +221,4 @@ def _shown(link: int) -> tuple[Block, Bias]:
 
 
 def _accelerated(edges: Iterable[Edge]) -> Iterator[Step]:
-    return (Accelerate(edge.joint, edge.reversed) for edge in edges)
+    return (do.Accelerate(edge.joint, edge.reversed) for edge in edges)

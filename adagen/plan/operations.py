@@ -9,25 +9,9 @@ from __future__ import annotations
 
 from adagen.model import INVERSE_INERTIA, LINK_ACCELERATION, REACTION_FORCE
 from adagen.model.kinds import KINDS
+from adagen.plan import steps as do
 from adagen.plan.requested_outputs import needed_outwards
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateRoot,
-    Articulate,
-    Deliver,
-    Disassemble,
-    FreeAcceleration,
-    FreeBase,
-    GiveOutput,
-    InvertRoot,
-    Join,
-    Kinematics,
-    LinkBias,
-    Propagate,
-    SolveRoot,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Plan
 
 _TURN = 15  # a 3x3 matrix times a vector
@@ -52,33 +36,40 @@ def operations(plan: Plan) -> int:
         for process in plan.processes
         for needed in [needed_outwards(plan, process.steps)]
         for step in process.steps
-        if not isinstance(step, Accelerate | FreeAcceleration) or step.joint in needed
+        if not isinstance(step, do.Accelerate | do.FreeAcceleration) or step.joint in needed
     )
 
 
 def _of(plan: Plan, step: Step) -> int:
     columns = plan.right_hand_sides
     match step:
-        case LinkBias():
+        case do.LinkBias():
             return 4 * _TURN + 6 * _CROSS
-        case StartLink():
+        case do.StartLink():
             return 2 * _TURN + 6 * _CROSS + 12
-        case FreeBase():
+        case do.FreeBase():
             return 6 * columns
-        case FreeAcceleration():
+        case do.FreeAcceleration():
             return (_MOVE + 6) * columns
-        case InvertRoot():
+        case do.InvertRoot():
             return _FACTORIZE[6] + 112 + _DENSE * columns
-        case SolveRoot():
+        case do.SolveRoot():
             return _FACTORIZE[6] + 72 * columns
-        case AccelerateRoot():
+        case do.AccelerateRoot():
             return (_DENSE + 6) * columns
-        case Kinematics() | Join() | Disassemble() | Articulate() | Propagate() | Deliver():
+        case (
+            do.Kinematics()
+            | do.Join()
+            | do.Disassemble()
+            | do.Articulate()
+            | do.Propagate()
+            | do.Deliver()
+        ):
             return _of_joint(plan, step, columns)
-        case Accelerate():
+        case do.Accelerate():
             n, m = _freedom(plan, step.joint)
             return (_MOVE + 6 + _solve(n) + 2 * n * m + 2 * n) * columns
-        case GiveOutput():
+        case do.GiveOutput():
             return _OUTPUT[plan.outputs[step.output].what]
         case _:  # messages, loads and slaved joints: next to nothing
             return 0
@@ -86,31 +77,31 @@ def _of(plan: Plan, step: Step) -> int:
 
 def _of_joint(
     plan: Plan,
-    step: Kinematics | Join | Disassemble | Articulate | Propagate | Deliver,
+    step: do.Kinematics | do.Join | do.Disassemble | do.Articulate | do.Propagate | do.Deliver,
     columns: int,
 ) -> int:
     n, m = _freedom(plan, step.joint)
     grounded = plan.joints[step.joint].parent == 0
     match step:
-        case Kinematics():
+        case do.Kinematics():
             moved = 0 if grounded else _MOVE + n
             return _PLACE[plan.joints[step.joint].kind] + moved
-        case Articulate():
+        case do.Articulate():
             inner = _FACTORIZE[n] + _solve(n) * (m + columns)
             passed = n * m * (m + 1) + (2 * m * (n + m) + n) * columns
             beyond = _MOVE_INERTIA + 21 + (_MOVE + 6) * columns + 2 * _CROSS
             return inner + (0 if grounded and not step.reversed else passed + beyond)
-        case Propagate():
+        case do.Propagate():
             own = _FACTORIZE[n] + 2 * _MOVE_BLOCK + 4 * 6 * n * m + n * n
             return own + (_MOVE + 12) * columns + len(step.spreads) * (_MOVE_BLOCK + 12 * n * m)
-        case Deliver():
+        case do.Deliver():
             return (_MOVE + 6 + 2 * n * m + n) * columns
-        case Join():
+        case do.Join():
             side = 0 if step.a is None else 2 * _MOVE_BLOCK + 36
             pairs = len(step.blocks) * (72 * m + 36) + len(step.biases) * 12 * (m + n + 1) * columns
             own = _FACTORIZE[m] + (_MOVE + 12 + 12 * n + m * m) * columns
             return side + own + pairs + len(step.couplings) * (6 * m * m + _MOVE_BLOCK // 2)
-        case Disassemble():
+        case do.Disassemble():
             forces = len(step.forces) * 12 * (m + n)
             return (forces + m * m + 2 * n * m + len(step.updates) * _MOVE) * columns
 

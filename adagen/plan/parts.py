@@ -10,21 +10,9 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from itertools import pairwise
 
+from adagen.plan import steps as do
 from adagen.plan.robot import PlanJoint
-from adagen.plan.steps import (
-    AccelerateRoot,
-    Articulate,
-    Deliver,
-    Disassemble,
-    FreeBase,
-    InvertRoot,
-    Load,
-    Propagate,
-    Receive,
-    Send,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 
 FEWEST_ROWS = 3
 """Joints of each part at least, the one that it hangs on by included: as many rows are swept."""
@@ -88,10 +76,14 @@ def swept_first(steps: Sequence[Step]) -> list[Step]:
         steps: of one process, from its first sweep to its last.
     """
     first_message = next(
-        (k for k, s in enumerate(steps) if isinstance(s, Send | Receive)), len(steps)
+        (k for k, s in enumerate(steps) if isinstance(s, do.Send | do.Receive)), len(steps)
     )
     swept = _by_kinds(
-        steps[:first_message], (StartLink, FreeBase), (Articulate,), (InvertRoot,), (Propagate,)
+        steps[:first_message],
+        (do.StartLink, do.FreeBase),
+        (do.Articulate,),
+        (do.InvertRoot,),
+        (do.Propagate,),
     )
     return [*swept, *steps[first_message:]]
 
@@ -101,8 +93,10 @@ def released_first(steps: Sequence[Step]) -> list[Step]:
 
     The accelerations of their joints come last, as no step waits for them.
     """
-    begun = next((k for k, s in enumerate(steps) if isinstance(s, Disassemble)), len(steps))
-    released = _by_kinds(steps[begun:], (Disassemble,), (Load,), (Deliver,), (AccelerateRoot,))
+    begun = next((k for k, s in enumerate(steps) if isinstance(s, do.Disassemble)), len(steps))
+    released = _by_kinds(
+        steps[begun:], (do.Disassemble,), (do.Load,), (do.Deliver,), (do.AccelerateRoot,)
+    )
     return [*steps[:begun], *released]
 
 

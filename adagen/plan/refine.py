@@ -11,17 +11,9 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from adagen.errors import UsageError
+from adagen.plan import steps as do
 from adagen.plan.messages import ENERGIES, Message
-from adagen.plan.steps import (
-    Correct,
-    FusedJoin,
-    LinkBias,
-    Receive,
-    Refine,
-    Send,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Plan, Process
 
 
@@ -44,7 +36,7 @@ class Exchange:
 
 def links_of_process(process: Process) -> tuple[int, ...]:
     """Return the links whose residual a process computes, ascending."""
-    steps = process.steps_of(LinkBias, StartLink)
+    steps = process.steps_of(do.LinkBias, do.StartLink)
     return tuple(sorted(step.link for step in steps))
 
 
@@ -54,7 +46,7 @@ def handed_on(process: Process) -> tuple[tuple[int, int], ...]:
     Such a link hands on what it gets, so that the outer joint's force tells the inner one's.
     Outer joints come first.
     """
-    runs = (step.run for step in process.steps_of(FusedJoin))
+    runs = (step.run for step in process.steps_of(do.FusedJoin))
     return tuple(pair for run in runs for pair in reversed(list(pairwise(run))))
 
 
@@ -79,7 +71,7 @@ def corrected(plan: Plan, count: int) -> Plan:
         shared = any(message.sides for message in plan.messages)
         return _corrected_lines(plan.held_back() if shared else plan, count)
     processes = tuple(
-        replace(process, steps=(*process.steps, Refine(count))) if process.steps else process
+        replace(process, steps=(*process.steps, do.Refine(count))) if process.steps else process
         for process in plan.processes
     )
     return replace(plan, processes=processes)
@@ -97,9 +89,9 @@ def _corrected_lines(plan: Plan, count: int) -> Plan:
     messages += [Message(0, p, ENERGIES, None) for p in others]
     ends: dict[int, tuple[Step, ...]] = {0: ()}
     for k, p in enumerate(others):
-        ends[0] += (Receive(first + k),)
-        ends[p] = (Send(first + k), Receive(first + len(others) + k))
-    ends[0] += tuple(Send(first + len(others) + k) for k in range(len(others)))
+        ends[0] += (do.Receive(first + k),)
+        ends[p] = (do.Send(first + k), do.Receive(first + len(others) + k))
+    ends[0] += tuple(do.Send(first + len(others) + k) for k in range(len(others)))
     processes = tuple(
         replace(
             process,
@@ -129,12 +121,12 @@ def _again(
     for k in range(count):
         first = 0
         for place, step in enumerate(steps):
-            if isinstance(step, Send | Receive):
-                found += [Correct(k, first, place)] if first < place or not first else []
+            if isinstance(step, do.Send | do.Receive):
+                found += [do.Correct(k, first, place)] if first < place or not first else []
                 found.append(replace(step, message=step.message + (k + 1) * messages))
                 first = place + 1
-        found += [Correct(k, first, len(steps))] if first < len(steps) else []
-    return (*found, Refine(count), *ends)
+        found += [do.Correct(k, first, len(steps))] if first < len(steps) else []
+    return (*found, do.Refine(count), *ends)
 
 
 def why_not_in_lines(plan: Plan) -> str | None:

@@ -10,20 +10,11 @@ from collections.abc import Iterable, Sequence, Set
 
 from adagen.errors import UsageError
 from adagen.model import INVERSE_INERTIA, LINK_ACCELERATION, REACTION_FORCE, Model
+from adagen.plan import steps as do
 from adagen.plan.order import ends_of
 from adagen.plan.robot import PlanOutput
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateHeld,
-    ApplyCoupling,
-    FreeAcceleration,
-    GiveOutput,
-    LoadRoot,
-    Release,
-    Send,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Plan, Process
 from adagen.schedule import Schedule, postorder
 
@@ -76,7 +67,7 @@ def with_outputs(
     """Return the processes with steps for the outputs, on the first one."""
     if not outputs:
         return tuple(processes)
-    more = tuple(GiveOutput(k) for k in range(len(outputs)))
+    more = tuple(do.GiveOutput(k) for k in range(len(outputs)))
     first, *others = processes
     return (first.changed(lambda steps: (*steps, *more)), *others)
 
@@ -110,18 +101,18 @@ def _led_to(plan: Plan, steps: Sequence[Step], more: Set[int]) -> frozenset[int]
     links = {o.link for o in plan.outputs if o.what == LINK_ACCELERATION}
     for step in reversed(steps):
         match step:
-            case Accelerate(j, backwards):
+            case do.Accelerate(j, backwards):
                 ends = ends_of(plan.joints, j, backwards)
                 if j in needed or ends.far in links:
                     needed.add(j)
                     links.add(ends.near)
-            case FreeAcceleration(j):
+            case do.FreeAcceleration(j):
                 if j in needed:
                     links.add(j + 1)
-            case Send(number):
+            case do.Send(number):
                 needed.update(plan.messages[number].joints)
-            case LoadRoot():
+            case do.LoadRoot():
                 links.add(step.link)
-            case ApplyCoupling() | Release() | AccelerateHeld():
+            case do.ApplyCoupling() | do.Release() | do.AccelerateHeld():
                 return every  # what is tied needs all that it is tied to
     return frozenset(needed)

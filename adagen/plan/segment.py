@@ -14,29 +14,13 @@ from collections.abc import Container, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 
+from adagen.plan import steps as do
 from adagen.plan.ada import AdaPlanner, Chain, bare
 from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at, ways_to
 from adagen.plan.fusions import Run
 from adagen.plan.parts import pairs_of, parts_of, released_first, swept_first
 from adagen.plan.robot import PlanJoint
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateRoot,
-    Articulate,
-    Bias,
-    Block,
-    Deliver,
-    Force,
-    FreeAcceleration,
-    FreeBase,
-    InvertRoot,
-    Load,
-    Propagate,
-    SolveRoot,
-    Spread,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Bias, Block, Force, Spread, Step
 from adagen.schedule import Node, Schedule, postorder, preorder
 
 
@@ -79,12 +63,12 @@ class Segment:
         steps: list[Step] = []
         for component in self.components:
             if component.root > 0:
-                steps.append(StartLink(component.root))
-            steps.extend(StartLink(edge.far) for edge in component.edges)
-        steps.extend(FreeBase(j) for j in self.free)
+                steps.append(do.StartLink(component.root))
+            steps.extend(do.StartLink(edge.far) for edge in component.edges)
+        steps.extend(do.FreeBase(j) for j in self.free)
         couplings = []
         for component in self.components:
-            steps.extend(Articulate(e.joint, e.reversed) for e in reversed(component.edges))
+            steps.extend(do.Articulate(e.joint, e.reversed) for e in reversed(component.edges))
             more, coupled = mobility_steps(self.joint, component)
             steps += more
             couplings.append(coupled)
@@ -102,18 +86,18 @@ class Segment:
             loaded = dict.fromkeys(edge.near for edge in component.path)
             loaded.update(dict.fromkeys(component.handles))
             steps.extend(
-                Load(link, forces.get(link) if link in handles else None)
+                do.Load(link, forces.get(link) if link in handles else None)
                 for link in loaded
                 if link > 0
             )
-            steps.extend(Deliver(e.joint, e.reversed) for e in reversed(component.path))
+            steps.extend(do.Deliver(e.joint, e.reversed) for e in reversed(component.path))
             if component.root > 0 and component.handles:
                 block = Block(self.joint, component.root, component.root)
                 bias = Bias(self.joint, component.root)
-                steps.append(AccelerateRoot(component.root, block, bias))
+                steps.append(do.AccelerateRoot(component.root, block, bias))
         for component in self.components:
-            steps.extend(Accelerate(e.joint, e.reversed) for e in component.edges)
-        steps.extend(FreeAcceleration(j) for j in self.free)
+            steps.extend(do.Accelerate(e.joint, e.reversed) for e in component.edges)
+        steps.extend(do.FreeAcceleration(j) for j in self.free)
         return steps
 
 
@@ -276,12 +260,12 @@ def mobility_steps(name: int, component: Component) -> tuple[list[Step], set[tup
     """
     couplings: set[tuple[int, int]] = set()
     if component.root > 0 and not component.handles:
-        return [SolveRoot(component.root)], couplings
+        return [do.SolveRoot(component.root)], couplings
     steps: list[Step] = []
     reached: list[int] = []  # links whose coupling with later ones is kept, in order
     if component.root > 0:
         block, bias = Block(name, component.root, component.root), Bias(name, component.root)
-        steps.append(InvertRoot(component.root, block, bias))
+        steps.append(do.InvertRoot(component.root, block, bias))
         reached.append(component.root)
     anchors = _anchors(component)
     handles = set(component.handles)
@@ -291,7 +275,7 @@ def mobility_steps(name: int, component: Component) -> tuple[list[Step], set[tup
         couplings.update((min(s.handle, edge.far), max(s.handle, edge.far)) for s in spreads)
         ground = edge.near == 0
         steps.append(
-            Propagate(
+            do.Propagate(
                 edge.joint,
                 edge.reversed,
                 Block(name, edge.far, edge.far),

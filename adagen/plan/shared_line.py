@@ -11,17 +11,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from adagen.errors import UsageError
+from adagen.plan import steps as do
 from adagen.plan.gather_steps import ProcessSteps
 from adagen.plan.gather_trees import Tree, given_trees, moving_trees
-from adagen.plan.steps import (
-    Accelerate,
-    Articulate,
-    Certify,
-    FreeAcceleration,
-    FreeBase,
-    SolveRoot,
-    StartLink,
-)
 from adagen.plan.types import Plan, Process
 from adagen.schedule.tree import Gathered
 
@@ -37,7 +29,7 @@ def serial_plan(plan: Plan) -> Plan:
         evaluation = sorted(of_one.evaluation([], []), key=lambda step: _SWEEPS.index(type(step)))
         process = of_one.process_of(evaluation)
         if plan.certified:
-            process = replace(process, steps=(*process.steps, Certify()))
+            process = replace(process, steps=(*process.steps, do.Certify()))
     elif plan.closed:
         every = tuple(range(len(plan.joints)))
         steps = next(process.steps for process in plan.processes if process.steps)
@@ -55,7 +47,14 @@ def serial_plan(plan: Plan) -> Plan:
     )
 
 
-_SWEEPS = (StartLink, FreeBase, Articulate, SolveRoot, Accelerate, FreeAcceleration)
+_SWEEPS = (
+    do.StartLink,
+    do.FreeBase,
+    do.Articulate,
+    do.SolveRoot,
+    do.Accelerate,
+    do.FreeAcceleration,
+)
 """The steps of one process in their order, so that limbs of several trees are swept together."""
 
 

@@ -12,24 +12,10 @@ from functools import cache, lru_cache
 from itertools import groupby
 from typing import TypeVar
 
+from adagen.plan import steps as do
 from adagen.plan.robot import PlanJoint
 from adagen.plan.stages import Stage, stages
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateHeld,
-    Articulate,
-    CarryRows,
-    Deliver,
-    Eliminate,
-    HoldBack,
-    HoldMobility,
-    Kinematics,
-    Propagate,
-    Release,
-    SolveMobility,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Plan, Process
 
 KINDS = frozenset({"revolute", "prismatic", "spherical"})
@@ -87,7 +73,7 @@ def placed_links(plan: Plan) -> frozenset[int]:
     is inverted to an inertia.
     """
     gathered = {link for message in plan.messages for link in message.inertias}
-    held = (step.link for step in plan.steps_of(HoldMobility, SolveMobility))
+    held = (step.link for step in plan.steps_of(do.HoldMobility, do.SolveMobility))
     return frozenset(gathered).union(held)
 
 
@@ -361,14 +347,19 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     """
     parts = stages(process)
     sweeps = [
-        _row_of(process, parts, Kinematics),
-        _row_of(process, parts, Articulate),
-        _row_of(process, parts, Accelerate),
+        _row_of(process, parts, do.Kinematics),
+        _row_of(process, parts, do.Articulate),
+        _row_of(process, parts, do.Accelerate),
     ]
-    turned = {s.joint for s in process.steps_of(Articulate, Accelerate) if s.reversed}
-    apart = (Propagate, Deliver, HoldBack, CarryRows)  # closures go side by side as a whole
+    turned = {s.joint for s in process.steps_of(do.Articulate, do.Accelerate) if s.reversed}
+    apart = (
+        do.Propagate,
+        do.Deliver,
+        do.HoldBack,
+        do.CarryRows,
+    )  # closures go side by side as a whole
     between = {s.joint for s in process.steps if isinstance(s, apart)}
-    bare = {step.link for step in process.steps_of(StartLink)} - placed_links(plan)
+    bare = {step.link for step in process.steps_of(do.StartLink)} - placed_links(plan)
     return {
         j: tuple(sweep[j] for sweep in sweeps)
         for j in process.owns
@@ -387,7 +378,7 @@ def fits_beside(joint: PlanJoint) -> bool:
     return joint.kind in KINDS and not (joint.prescribed and joint.kind == "spherical")
 
 
-_Sweep = TypeVar("_Sweep", Kinematics, Articulate, Accelerate)
+_Sweep = TypeVar("_Sweep", do.Kinematics, do.Articulate, do.Accelerate)
 
 
 def _row_of(process: Process, parts: Iterable[Stage], kind: type[_Sweep]) -> dict[int, int]:
@@ -403,8 +394,8 @@ def _row_of(process: Process, parts: Iterable[Stage], kind: type[_Sweep]) -> dic
 
 
 _SWEEPS: dict[type, type] = {
-    **dict.fromkeys((HoldBack, CarryRows, Eliminate), Articulate),
-    **dict.fromkeys((Release, AccelerateHeld), Accelerate),
+    **dict.fromkeys((do.HoldBack, do.CarryRows, do.Eliminate), do.Articulate),
+    **dict.fromkeys((do.Release, do.AccelerateHeld), do.Accelerate),
 }
 
 

@@ -14,6 +14,7 @@ from typing import Any, TypeVar, overload
 
 from adagen.model.kinds import KINDS
 from adagen.model.paths import joints_on_links, paths_to_ground
+from adagen.plan import steps as do
 from adagen.plan.messages import Message
 from adagen.plan.robot import (
     OPTIONAL,
@@ -25,15 +26,7 @@ from adagen.plan.robot import (
     PlanParameter,
     PlanWrench,
 )
-from adagen.plan.steps import (
-    Block,
-    CarryRows,
-    Certify,
-    Refine,
-    SolveCoupling,
-    Step,
-    blocks_set_by,
-)
+from adagen.plan.steps import Block, Step, blocks_set_by
 
 A = TypeVar("A")
 B = TypeVar("B")
@@ -183,7 +176,7 @@ class Plan:
     @property
     def certified(self) -> bool:
         """Whether the error of each answer is bounded."""
-        return any(isinstance(p.steps[-1], Certify) for p in self.processes if p.steps)
+        return any(isinstance(p.steps[-1], do.Certify) for p in self.processes if p.steps)
 
     @overload
     def steps_of(self, first: type[A], /) -> Iterator[A]: ...
@@ -216,7 +209,7 @@ class Plan:
     @cached_property
     def corrections(self) -> int:
         """How many times each answer is corrected by a residual in the solver's own numbers."""
-        return max((step.count for step in self.steps_of(Refine)), default=0)
+        return max((step.count for step in self.steps_of(do.Refine)), default=0)
 
     @property
     def weighed(self) -> bool:
@@ -268,7 +261,7 @@ class Plan:
 
     def held_back(self) -> Plan:
         """Return the plan in which closures carry no rows, where there is one; else this one."""
-        carries = any(self.steps_of(CarryRows))
+        carries = any(self.steps_of(do.CarryRows))
         return self.recovering() if carries and self.recovers else self
 
     @property
@@ -293,7 +286,7 @@ class Plan:
         goes its own, so that neighbours do not matter. Their code is fetched once for all lanes: no
         loop sweeps residuals.
         """
-        if any(step.looped for step in self.steps_of(Certify)):
+        if any(step.looped for step in self.steps_of(do.Certify)):
             return self.with_looped(0)
         if not self.closed or self.reproducible:
             return self
@@ -330,7 +323,7 @@ class Plan:
         if not self.loop_forces:
             return []
         if self.tied_rows:  # they are found where all is solved for
-            solves = any(process.steps_of(SolveCoupling))
+            solves = any(process.steps_of(do.SolveCoupling))
             return list(range(self.entry_of_loop(0), self.nqdd)) if solves else []
         found: list[int] = []
         for k, loop in enumerate(self.loops):
@@ -383,7 +376,7 @@ class Plan:
         """Return it with a loop that sweeps residuals of so many rows, see ``Certify.looped``."""
 
         def changed(steps: tuple[Step, ...]) -> tuple[Step, ...]:
-            return tuple(replace(s, looped=rows) if isinstance(s, Certify) else s for s in steps)
+            return tuple(replace(s, looped=rows) if isinstance(s, do.Certify) else s for s in steps)
 
         # What is done again in rare poses is long: it is never at hand.
         processes = tuple(replace(p, steps=changed(p.steps)) for p in self.processes)

@@ -12,24 +12,11 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import zip_longest
 
+from adagen.plan import steps as do
 from adagen.plan.messages import ENERGIES
 from adagen.plan.order import ends_of
 from adagen.plan.simd_groups import Limbs, placed_links
-from adagen.plan.steps import (
-    Articulate,
-    HoldMobility,
-    InvertRoot,
-    Kinematics,
-    LoadRoot,
-    Receive,
-    Send,
-    SolveMobility,
-    SolveRoot,
-    StartEmpty,
-    StartLink,
-    Step,
-    Traverse,
-)
+from adagen.plan.steps import Step
 from adagen.plan.turns import by_turns
 from adagen.plan.types import Plan
 from adagen.program.effects import Effects, Place, added_by, contents, effects, joined_runs
@@ -92,7 +79,7 @@ def _check_run(
         for own in operations
         for operation in own
         for step in operation.steps
-        if isinstance(step, Send)
+        if isinstance(step, do.Send)
     }
     if lost := exchanged - received:
         raise ProgramError(f"message {min(lost)} is sent and never received")
@@ -124,10 +111,10 @@ class _Memory:
                 raise ProgramError(f"{self.where}: {place[0]} of {place[1]} is missing")
         for step in operation.steps:
             match step:
-                case Receive():
+                case do.Receive():
                     if not self._receive(step.message, mail, received):
                         return False
-                case Send():
+                case do.Send():
                     self._send(step.message, mail)
                 case _:
                     self._apply(effects(self.plan, self.p, step, self.runs))
@@ -197,15 +184,15 @@ class _Memory:
         """The buffers that an operation of loops needs."""
         for step in operation.steps:
             match step, operation.method:
-                case Kinematics(), "each" | "strips" | "traversed" | "lanes" | "base":
+                case do.Kinematics(), "each" | "strips" | "traversed" | "lanes" | "base":
                     yield "angles", step.joint
-                case Traverse(passage), _ if self.prepared:
+                case do.Traverse(passage), _ if self.prepared:
                     yield from (("angles", j) for j in range(passage.first, passage.last + 1))
-                case Articulate(), "columns":
+                case do.Articulate(), "columns":
                     link = ends_of(self.plan.joints, step.joint, step.reversed).far
                     if ("inertia", link) in self.read and link not in self.placed:
                         yield "link_columns", link
-                case SolveRoot() | SolveMobility(), _ if self.prepared:
+                case do.SolveRoot() | do.SolveMobility(), _ if self.prepared:
                     if step.link in self.placed and ("own", step.link) in self.prepared:
                         yield "place_inertia", step.link
 
@@ -215,11 +202,11 @@ class _Memory:
             for link in self._used_up(step):
                 if link in self.left:
                     self.left[link] = True
-            if isinstance(step, StartLink) and self.prepared and step.link in self.placed:
+            if isinstance(step, do.StartLink) and self.prepared and step.link in self.placed:
                 self.prepared.add(("own", step.link))
-            if isinstance(step, StartEmpty):
+            if isinstance(step, do.StartEmpty):
                 self.left.pop(step.link, None)
-            if isinstance(step, HoldMobility):
+            if isinstance(step, do.HoldMobility):
                 self.left[step.link] = False
         for link, first in zip(self._left_at(operation), operation.first, strict=True):
             if link == 0:
@@ -233,9 +220,9 @@ class _Memory:
     def _used_up(self, step: Step) -> tuple[int, ...]:
         """Links whose inertia a step uses up."""
         match step:
-            case Articulate():
+            case do.Articulate():
                 return (ends_of(self.plan.joints, step.joint, step.reversed).far,)
-            case SolveRoot() | SolveMobility() | InvertRoot() | LoadRoot():
+            case do.SolveRoot() | do.SolveMobility() | do.InvertRoot() | do.LoadRoot():
                 return (step.link,)
         return ()
 
@@ -256,7 +243,7 @@ class _Memory:
                 return links.numbers
             case "receive", _:
                 (step,) = operation.steps
-                assert isinstance(step, Receive)
+                assert isinstance(step, do.Receive)
                 return self.plan.messages[step.message].inertias
         raise ProgramError(f"{self.where} says what it leaves, and leaves nothing")
 

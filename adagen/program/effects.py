@@ -21,55 +21,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from adagen.model import LINK_ACCELERATION, REACTION_FORCE
+from adagen.plan import steps as do
 from adagen.plan.edges import is_base
 from adagen.plan.messages import CERTIFICATE, ENERGIES, Message
 from adagen.plan.order import ends_of
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateHeld,
-    AccelerateRoot,
-    Append,
-    ApplyCoupling,
-    Arrive,
-    Articulate,
-    Bias,
-    Block,
-    CarryRows,
-    Certify,
-    CloseCoupling,
-    ClosedStep,
-    CloseLoop,
-    Correct,
-    Deliver,
-    Disassemble,
-    Eliminate,
-    Force,
-    FreeAcceleration,
-    FreeBase,
-    FusedJoin,
-    GiveOutput,
-    HoldBack,
-    HoldMobility,
-    InvertRoot,
-    Join,
-    Kinematics,
-    LinkBias,
-    Load,
-    LoadRoot,
-    Passage,
-    Propagate,
-    Receive,
-    Refine,
-    Release,
-    Send,
-    SolveCoupling,
-    SolveMobility,
-    SolveRoot,
-    StartEmpty,
-    StartLink,
-    Step,
-    Traverse,
-)
+from adagen.plan.steps import Bias, Block, ClosedStep, Force, Passage, Step
 from adagen.plan.types import Plan
 
 Place = Block | Bias | Force | Passage | tuple[str, int]
@@ -93,23 +49,23 @@ class Effects:
 
 
 _OfLink = (
-    LinkBias
-    | StartLink
-    | StartEmpty
-    | InvertRoot
-    | SolveRoot
-    | SolveMobility
-    | HoldMobility
-    | Load
-    | LoadRoot
-    | AccelerateRoot
+    do.LinkBias
+    | do.StartLink
+    | do.StartEmpty
+    | do.InvertRoot
+    | do.SolveRoot
+    | do.SolveMobility
+    | do.HoldMobility
+    | do.Load
+    | do.LoadRoot
+    | do.AccelerateRoot
 )
 
 
 def joined_runs(plan: Plan) -> dict[int, tuple[int, ...]]:
     """Return the joints of each join, by the joint that names it."""
-    joins = plan.steps_of(Join)
-    return {j.joint: j.run if isinstance(j, FusedJoin) else (j.joint,) for j in joins}
+    joins = plan.steps_of(do.Join)
+    return {j.joint: j.run if isinstance(j, do.FusedJoin) else (j.joint,) for j in joins}
 
 
 def effects(plan: Plan, process: int, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effects:
@@ -122,33 +78,39 @@ def effects(plan: Plan, process: int, step: Step, runs: Mapping[int, tuple[int, 
         runs: what joins put together (``joined_runs``).
     """
     match step:
-        case Join():
+        case do.Join():
             return _join(step)
-        case Disassemble():
+        case do.Disassemble():
             return _disassemble(step, runs[step.joint])
-        case Articulate() | Propagate() | Deliver() | Accelerate():
+        case do.Articulate() | do.Propagate() | do.Deliver() | do.Accelerate():
             return _across(plan, step)
-        case Kinematics() | FreeBase() | FreeAcceleration() | SolveCoupling() | ApplyCoupling():
+        case (
+            do.Kinematics()
+            | do.FreeBase()
+            | do.FreeAcceleration()
+            | do.SolveCoupling()
+            | do.ApplyCoupling()
+        ):
             return _of_joint(plan, step)
         case _ if isinstance(step, ClosedStep):
             return _closed(plan, process, step)
-        case Traverse() | Append() | Arrive():
+        case do.Traverse() | do.Append() | do.Arrive():
             return _passed(step)
-        case Correct():
+        case do.Correct():
             return _correct(plan, step)
-        case Refine() if plan.closed:
+        case do.Refine() if plan.closed:
             reads = tuple(("correction", k) for k in range(step.count))
             return Effects(reads, (("energies", 0),))
-        case Certify() | Refine():
+        case do.Certify() | do.Refine():
             return _certify(plan, step)
-        case GiveOutput():
+        case do.GiveOutput():
             return _output(plan, step)
-        case Send() | Receive():
+        case do.Send() | do.Receive():
             raise AssertionError("what a message does depends on what has been sent")
     return _of_link(step)
 
 
-def _output(plan: Plan, step: GiveOutput) -> Effects:
+def _output(plan: Plan, step: do.GiveOutput) -> Effects:
     output = plan.outputs[step.output]
     if output.what == LINK_ACCELERATION:
         tied: tuple[Place, ...] = (("torques", 0),) if plan.slaved else ()
@@ -159,30 +121,31 @@ def _output(plan: Plan, step: GiveOutput) -> Effects:
 
 
 def _of_joint(
-    plan: Plan, step: Kinematics | FreeBase | FreeAcceleration | SolveCoupling | ApplyCoupling
+    plan: Plan,
+    step: do.Kinematics | do.FreeBase | do.FreeAcceleration | do.SolveCoupling | do.ApplyCoupling,
 ) -> Effects:
     match step:
-        case Kinematics(j):
+        case do.Kinematics(j):
             moving = _moving(("velocity", plan.joints[j].parent))
             return Effects(moving, (("transform", j), ("velocity", j + 1)))
-        case FreeBase(j):
+        case do.FreeBase(j):
             return Effects(adds=(("inertia", j + 1),))
-        case FreeAcceleration(j):
+        case do.FreeAcceleration(j):
             return Effects((("acceleration", j + 1),), (("qdd", j),))
-        case SolveCoupling():
+        case do.SolveCoupling():
             return Effects(_coupled(plan), (("torques", 0),))
-        case ApplyCoupling():
+        case do.ApplyCoupling():
             return Effects((("torques", 0),))
 
 
-def _passed(step: Traverse | Append | Arrive) -> Effects:
+def _passed(step: do.Traverse | do.Append | do.Arrive) -> Effects:
     """Effects of a step about passages."""
     match step:
-        case Traverse():
+        case do.Traverse():
             return Effects(sets=(step.passage,))
-        case Append():
+        case do.Append():
             return Effects((step.near, step.far), (step.passage,))
-        case Arrive():
+        case do.Arrive():
             reads = (step.passage, *_moving(("velocity", step.near)))
             return Effects(reads, (("velocity", step.passage.link),))
 
@@ -191,27 +154,27 @@ def _of_link(step: _OfLink) -> Effects:
     link = step.link
     reads: tuple[Place, ...]
     match step:
-        case LinkBias():
+        case do.LinkBias():
             return Effects((("velocity", link),), (Bias(None, link),))
-        case StartLink():
+        case do.StartLink():
             return Effects((("velocity", link),), (("inertia", link),))
-        case StartEmpty():
+        case do.StartEmpty():
             return Effects(sets=(("inertia", link),))
-        case InvertRoot():
+        case do.InvertRoot():
             return Effects((("inertia", link),), (step.block, step.bias))
-        case SolveRoot():
+        case do.SolveRoot():
             return Effects((("inertia", link),), (("acceleration", link),))
-        case SolveMobility():
+        case do.SolveMobility():
             reads = (("inertia", link), step.block, step.bias)
             return Effects(reads, (("acceleration", link),))
-        case HoldMobility():
+        case do.HoldMobility():
             return Effects((step.block, step.bias), (("inertia", link),))
-        case Load():
+        case do.Load():
             return Effects(() if step.force is None else (step.force,), (("load", link),))
-        case LoadRoot():
+        case do.LoadRoot():
             reads = (("inertia", link), ("acceleration", link))
             return Effects(reads, (("load", link),))
-        case AccelerateRoot():
+        case do.AccelerateRoot():
             reads = (step.block, step.bias, ("load", link))
             return Effects(reads, (("acceleration", link),))
 
@@ -220,23 +183,23 @@ def _closed(plan: Plan, process: int, step: ClosedStep) -> Effects:
     """Effects of a step of closed loops."""
     reads: tuple[Place, ...]
     match step:
-        case CloseLoop():
+        case do.CloseLoop():
             loop = plan.loops[step.loop]
             ends = _moving(*(("velocity", link) for link in loop.links))
             return Effects(ends, (("loop", step.loop),))
-        case CloseCoupling():
+        case do.CloseCoupling():
             return Effects((), (("coupling", step.coupling),))
-        case HoldBack(j):
+        case do.HoldBack(j):
             reads = (("transform", j), ("inertia", j + 1))
             near = _moving(("inertia", plan.joints[j].parent))
             return Effects(reads, (("held", j),), near)
-        case CarryRows(j):
+        case do.CarryRows(j):
             return Effects((("projected", j),), (("carried", j),))
-        case Eliminate():
+        case do.Eliminate():
             top = _moving(("inertia", step.link))
             every = range(len(plan.processes))
             return Effects(_parts(plan, every, step.closure), (("closure", step.closure),), top)
-        case Release():
+        case do.Release():
             reads = (("closure", step.closure), *_moving(("acceleration", step.link)))
             carried = tuple(
                 ("projected", k)
@@ -244,7 +207,7 @@ def _closed(plan: Plan, process: int, step: ClosedStep) -> Effects:
                 if what == "carried"
             )
             return Effects(reads, (("released", step.closure),), (), carried)
-        case AccelerateHeld(j):
+        case do.AccelerateHeld(j):
             above = _moving(("acceleration", plan.joints[j].parent))
             reads = (("transform", j), ("released", step.closure), *above)
             return Effects(reads, (("qdd", j), ("acceleration", j + 1)))
@@ -256,18 +219,18 @@ def _parts(plan: Plan, processes: Iterable[int], closure: int) -> tuple[tuple[st
     for p in processes:
         for step in plan.processes[p].steps:
             match step:
-                case CloseLoop(k) if step.closure == closure:
+                case do.CloseLoop(k) if step.closure == closure:
                     found["loop", k] = None
-                case CloseCoupling(k) if step.closure == closure:
+                case do.CloseCoupling(k) if step.closure == closure:
                     found["coupling", k] = None
-                case HoldBack(k) if step.closure == closure:
+                case do.HoldBack(k) if step.closure == closure:
                     found["held", k] = None
-                case CarryRows(k) if step.closure == closure:
+                case do.CarryRows(k) if step.closure == closure:
                     found["carried", k] = None
     return tuple(found)
 
 
-def _certify(plan: Plan, step: Certify | Refine) -> Effects:
+def _certify(plan: Plan, step: do.Certify | do.Refine) -> Effects:
     """Effects of a certificate: it reads motions, and the factors of all joints but floating bases.
 
     Of closed loops the answer's correction, which was found with these.
@@ -276,7 +239,7 @@ def _certify(plan: Plan, step: Certify | Refine) -> Effects:
         return Effects((("correction", 0),), (("certificate", 0),))
     reads: list[Place] = []
     tells, own = None, tuple(range(len(plan.joints)))
-    if isinstance(step, Certify):
+    if isinstance(step, do.Certify):
         tells, own = step.tells, step.joints or own
         reads += [("share", share.process) for share in step.hears]
         reads += [("load", link) for link in _held(plan, step)]
@@ -284,9 +247,9 @@ def _certify(plan: Plan, step: Certify | Refine) -> Effects:
         reads += [("acceleration", link) for link in tells.links]
     cut = set[int]()
     if not plan.several:  # a chain in parts is weighed by what these show at their first links
-        cut = {joined.joint for joined in plan.steps_of(Join)}
-        reads += [root.block for root in plan.steps_of(InvertRoot)]
-        reads += [load.force for load in plan.steps_of(Load) if load.force is not None]
+        cut = {joined.joint for joined in plan.steps_of(do.Join)}
+        reads += [root.block for root in plan.steps_of(do.InvertRoot)]
+        reads += [load.force for load in plan.steps_of(do.Load) if load.force is not None]
     for j in own:
         joint = plan.joints[j]
         reads += [("qdd", j), ("transform", j), ("velocity", j + 1), ("acceleration", j + 1)]
@@ -297,13 +260,13 @@ def _certify(plan: Plan, step: Certify | Refine) -> Effects:
     return Effects(tuple(reads), (found,))
 
 
-def _held(plan: Plan, step: Certify) -> list[int]:
+def _held(plan: Plan, step: do.Certify) -> list[int]:
     """Links on the ground's side that the process finishing a certificate needs."""
-    held = plan.processes[0].steps_of(HoldMobility, LoadRoot)
+    held = plan.processes[0].steps_of(do.HoldMobility, do.LoadRoot)
     return sorted({each.link for each in held}) if step.hears else []
 
 
-def _correct(plan: Plan, step: Correct) -> Effects:
+def _correct(plan: Plan, step: do.Correct) -> Effects:
     """Effects of a correction; messages divide a correction into pieces."""
     place = (("correction", step.round),)
     if step.first > 0:
@@ -346,32 +309,32 @@ def _moving(*places: tuple[str, int]) -> tuple[Place, ...]:
     return tuple(place for place in places if place[1] > 0)
 
 
-def _across(plan: Plan, step: Articulate | Propagate | Deliver | Accelerate) -> Effects:
+def _across(plan: Plan, step: do.Articulate | do.Propagate | do.Deliver | do.Accelerate) -> Effects:
     """Effects of a step across a joint."""
     j = step.joint
     ends = ends_of(plan.joints, j, step.reversed)
     reads: tuple[Place, ...]
     sets: tuple[Place, ...]
     match step:
-        case Articulate():
+        case do.Articulate():
             reads = (("transform", j), ("inertia", ends.far))
             return Effects(reads, (("projected", j),), _moving(("inertia", ends.near)))
-        case Propagate():
+        case do.Propagate():
             near = (place for place in (step.near, step.near_bias) if place is not None)
             sources = (spread.source for spread in step.spreads)
             targets = (spread.target for spread in step.spreads)
             return Effects((("projected", j), *near, *sources), (step.block, step.bias, *targets))
-        case Deliver():
+        case do.Deliver():
             added = _moving(("load", ends.near))
             return Effects((("load", ends.far),), (), added, (("projected", j),))
-        case Accelerate():
+        case do.Accelerate():
             reads = (("projected", j), *_moving(("acceleration", ends.near)))
             sets = (("qdd", j), *_moving(("acceleration", ends.far)))
             return Effects(reads, sets)
 
 
-def _join(step: Join) -> Effects:
-    joints = step.run if isinstance(step, FusedJoin) else (step.joint,)
+def _join(step: do.Join) -> Effects:
+    joints = step.run if isinstance(step, do.FusedJoin) else (step.joint,)
     read: list[Place] = [("transform", j) for j in joints]
     read += [place for place in (step.a_bias, step.b_bias) if place is not None]
     blocks = [step.a, step.b, *(coupling.source for coupling in step.couplings)]
@@ -383,7 +346,7 @@ def _join(step: Join) -> Effects:
     return Effects(tuple(read), (("joined", step.joint), *blocks_set, *biases_set))
 
 
-def _disassemble(step: Disassemble, run: Sequence[int]) -> Effects:
+def _disassemble(step: do.Disassemble, run: Sequence[int]) -> Effects:
     held = (update.source for update in step.updates if update.source is not None)
     accelerations: tuple[Place, ...] = tuple(("qdd", j) for j in run)
     targets = (update.target for update in step.updates)

@@ -6,33 +6,13 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby, takewhile
 from typing import Any
 
+from adagen.plan import steps as do
 from adagen.plan.edges import is_base
 from adagen.plan.order import inward_order, outward_order
 from adagen.plan.requested_outputs import needed_outwards
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.stages import stages
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateRoot,
-    Append,
-    Arrive,
-    Articulate,
-    Certify,
-    Deliver,
-    Disassemble,
-    FreeAcceleration,
-    FreeBase,
-    InvertRoot,
-    Join,
-    Kinematics,
-    Load,
-    Propagate,
-    Receive,
-    StartEmpty,
-    StartLink,
-    Step,
-    Traverse,
-)
+from adagen.plan.steps import Step
 from adagen.plan.tip_mobility import Mentions, holds, mentions, tip_mobility_runs
 from adagen.plan.types import Plan, Process
 from adagen.program.names import PASSING
@@ -85,7 +65,7 @@ class Loops:
         self.in_lanes = {j for each in limbs for j in each.members()}
         self.joints = plan.joints
         self.placed = placed_links(plan)
-        starts = {step.link for step in process.steps_of(StartLink)}
+        starts = {step.link for step in process.steps_of(do.StartLink)}
         turned = own_axes_in_loops(plan, slots.limbs, batch)
         self.turned = turned.always
         self.told_apart = frozenset[int]() if holds(process) else turned.always | turned.if_lost
@@ -110,25 +90,25 @@ class Loops:
     def operations(self) -> tuple[Operation, ...]:
         """Return the operations of the process in order."""
         together: dict[type, Callable[[list[Any]], None]] = {
-            Kinematics: self._kinematics,
-            Traverse: self._traverse,
-            Append: self._put_together,
-            Arrive: self._put_together,
-            StartLink: self._link_inertias,
-            StartEmpty: self._clear,
-            FreeBase: self._free_bases,
-            Articulate: self._articulate,
-            InvertRoot: self._invert_roots,
-            Propagate: self._propagate,
-            Join: self._join,
-            Disassemble: self._join,
-            Load: self._load,
-            Deliver: self._deliver,
-            AccelerateRoot: self._accelerate_roots,
-            Accelerate: self._accelerate,
-            Certify: self._certify,
-            FreeAcceleration: self._free_accelerations,
-            Receive: self._receive,
+            do.Kinematics: self._kinematics,
+            do.Traverse: self._traverse,
+            do.Append: self._put_together,
+            do.Arrive: self._put_together,
+            do.StartLink: self._link_inertias,
+            do.StartEmpty: self._clear,
+            do.FreeBase: self._free_bases,
+            do.Articulate: self._articulate,
+            do.InvertRoot: self._invert_roots,
+            do.Propagate: self._propagate,
+            do.Join: self._join,
+            do.Disassemble: self._join,
+            do.Load: self._load,
+            do.Deliver: self._deliver,
+            do.AccelerateRoot: self._accelerate_roots,
+            do.Accelerate: self._accelerate,
+            do.Certify: self._certify,
+            do.FreeAcceleration: self._free_accelerations,
+            do.Receive: self._receive,
         }
         for number, stage in enumerate(stages(self.process)):
             self.stage = number
@@ -162,7 +142,7 @@ class Loops:
         self.holding.add(link)
         return first
 
-    def _kinematics(self, steps: list[Kinematics]) -> None:
+    def _kinematics(self, steps: list[do.Kinematics]) -> None:
         joints = [step.joint for step in steps]
         if self.slots.tile:
             self._add("kinematics", Run(joints[0], joints[-1]), "tiles", steps)
@@ -170,17 +150,17 @@ class Loops:
         self._prepare_angles(joints)
         for j in joints:
             if is_base(self.joints[j]):
-                self._add("kinematics", Run(j, j), "base", [Kinematics(j)])
+                self._add("kinematics", Run(j, j), "base", [do.Kinematics(j)])
         for unit in outward_units(self.joints, joints, self.limbs, self.process.treated):
             if isinstance(unit, Limbs):
-                self._add("kinematics", unit, "lanes", map(Kinematics, unit.members()))
+                self._add("kinematics", unit, "lanes", map(do.Kinematics, unit.members()))
                 continue
             what = "kinematics" if unit.treated else PASSING
             for run, in_strips in split(unit.run, self.slots.in_strips):
                 method: Method = "strips" if in_strips else "each"
                 if run in self.traversed and unit.treated:
                     method = "traversed"
-                self._add(what, run, method, map(Kinematics, range(run.first, run.last + 1)))
+                self._add(what, run, method, map(do.Kinematics, range(run.first, run.last + 1)))
 
     def _prepare_angles(self, joints: Iterable[int]) -> None:
         wanted = tuple(j for j in joints if j not in self.turning)
@@ -188,7 +168,7 @@ class Loops:
             self.turning.update(wanted)
             self._add("angles", Links(wanted), "each")
 
-    def _traverse(self, steps: list[Traverse]) -> None:
+    def _traverse(self, steps: list[do.Traverse]) -> None:
         for step in steps:
             run = Run(step.passage.first, step.passage.last)
             self._prepare_angles(run.joints())
@@ -197,12 +177,12 @@ class Loops:
                 self.traversed.add(run)
             self._add("traverse", run, method, [step])
 
-    def _put_together(self, steps: list[Append | Arrive]) -> None:
+    def _put_together(self, steps: list[do.Append | do.Arrive]) -> None:
         for step in steps:
             run = Run(step.passage.first, step.passage.last)
             self._add(step.does, run, "step", [step])
 
-    def _link_inertias(self, steps: list[StartLink]) -> None:
+    def _link_inertias(self, steps: list[do.StartLink]) -> None:
         """Set up links when the first one of their blocks is needed: a block is set up at once.
 
         Set up again later, they would lose the outer forces that act on them.
@@ -211,7 +191,7 @@ class Loops:
             self._add("link_inertia", Links(tuple(step.link for step in steps)), "tiles", steps)
             return
         if not self.bare:
-            starts = list(self.process.steps_of(StartLink))
+            starts = list(self.process.steps_of(do.StartLink))
             self.bare.update(step.link for step in starts)
             self._add("link_inertia", Links(tuple(s.link for s in starts)), "each", starts)
         for step in steps:
@@ -219,17 +199,17 @@ class Loops:
                 first = self._first(step.link)
                 self._add("place_inertia", Links((step.link,)), "step", (), [first])
 
-    def _clear(self, steps: list[StartEmpty]) -> None:
+    def _clear(self, steps: list[do.StartEmpty]) -> None:
         links = tuple(step.link for step in steps)
         self.holding -= set(links)  # what comes first takes its place
         self._add("clear_inertia", Links(links), "step", steps)
 
-    def _free_bases(self, steps: list[FreeBase]) -> None:
+    def _free_bases(self, steps: list[do.FreeBase]) -> None:
         for step in steps:
             first = self._first(step.joint + 1)
             self._add("free_base", Run(step.joint, step.joint), "step", [step], [first])
 
-    def _articulate(self, steps: list[Articulate]) -> None:
+    def _articulate(self, steps: list[do.Articulate]) -> None:
         if self.slots.tile:
             run = Run(steps[-1].joint, steps[0].joint)
             self._add("articulate", run, "tiles", steps, [self._first(self._near(run))])
@@ -284,8 +264,8 @@ class Loops:
         """Runs whose mobility is needed at the far link only."""
         found: set[Run] = set()
         for kind, steps in groupby(self.process.steps, type):
-            if kind is Propagate:
-                own = [step for step in steps if isinstance(step, Propagate)]
+            if kind is do.Propagate:
+                own = [step for step in steps if isinstance(step, do.Propagate)]
                 for run in tip_mobility_runs(self.plan, own, self.named, self.told_apart):
                     first, last = sorted((run[0].joint, run[-1].joint))
                     found.add(Run(first, last, run[0].reversed))
@@ -329,11 +309,11 @@ class Loops:
         self.by_columns |= among
         self._add("link_columns", Links(tuple(sorted(among))), "columns")
 
-    def _invert_roots(self, steps: list[InvertRoot]) -> None:
+    def _invert_roots(self, steps: list[do.InvertRoot]) -> None:
         for step in self.parts.keep_roots(steps):
             self._add(step.does, None, "step", (step,))
 
-    def _propagate(self, steps: list[Propagate]) -> None:
+    def _propagate(self, steps: list[do.Propagate]) -> None:
         in_parts, steps = self.parts.propagated(steps)
         for run, own in in_parts:
             self._add("propagate", run, "parts", own)
@@ -347,7 +327,7 @@ class Loops:
             else:
                 self._add("propagate", None, "step", chain)
 
-    def _join(self, steps: list[Join | Disassemble]) -> None:
+    def _join(self, steps: list[do.Join | do.Disassemble]) -> None:
         for run, own in self.parts.joined(steps, self.joints):
             if run is not None:
                 self._add(own[0].does, run, "parts", own)
@@ -355,7 +335,7 @@ class Loops:
             for step in own:
                 self._add(step.does, None, "step", (step,))
 
-    def _accelerate_roots(self, steps: list[AccelerateRoot]) -> None:
+    def _accelerate_roots(self, steps: list[do.AccelerateRoot]) -> None:
         in_parts, steps = self.parts.at_links(steps, lambda part: {part.first})
         for run, own in in_parts:
             self._add("accelerate_root", run, "parts", own)
@@ -364,17 +344,17 @@ class Loops:
 
     def _passed_through(self) -> frozenset[int]:
         """Links inside runs through which handle forces pass, without forces of their own."""
-        delivered = list(self.process.steps_of(Deliver))
+        delivered = list(self.process.steps_of(do.Deliver))
         inside: set[int] = set()
         ends: set[int] = set()
         for run in swept(self.joints, delivered):
             links = links_of_run(self.joints, run)
             inside.update(links)
             ends.update(ends_of_run(self.joints, run))
-        forced = {step.link for step in self.process.steps_of(Load) if step.force is not None}
+        forced = {step.link for step in self.process.steps_of(do.Load) if step.force is not None}
         return frozenset(inside - ends - forced)
 
-    def _load(self, steps: list[Load]) -> None:
+    def _load(self, steps: list[do.Load]) -> None:
         through = [step for step in steps if step.link in self.through]
         if through:
             self._add("load", Links(tuple(step.link for step in through)), "through", through)
@@ -385,7 +365,7 @@ class Loops:
         for step in forced:
             self._add("load", None, "step", [step])
 
-    def _deliver(self, steps: list[Deliver]) -> None:
+    def _deliver(self, steps: list[do.Deliver]) -> None:
         by_joint = {step.joint: step for step in steps}
         whole = self._accelerated() if self.along else set()
         for run in swept(self.joints, steps):
@@ -400,11 +380,11 @@ class Loops:
 
     def _accelerated(self) -> set[Run]:
         """Runs whose accelerations are all computed in one pass."""
-        steps = list(self.process.steps_of(Accelerate))
+        steps = list(self.process.steps_of(do.Accelerate))
         units = units_of_sweep(self.joints, steps, self.limbs, outward_order)
         return {u for u in units if isinstance(u, Run) and self.needed.issuperset(u.joints())}
 
-    def _accelerate(self, steps: list[Accelerate]) -> None:
+    def _accelerate(self, steps: list[do.Accelerate]) -> None:
         by_joint = {step.joint: step for step in steps}
         for run, own in self.parts.of_joints(by_joint, Run.joints):
             self._add("accelerate", run, "parts", own)
@@ -423,18 +403,18 @@ class Loops:
                 method: Method = "along" if run in self.loaded else "each"
                 self._add("accelerate", run, method, (by_joint[j] for j in joints))
 
-    def _free_accelerations(self, steps: list[FreeAcceleration]) -> None:
+    def _free_accelerations(self, steps: list[do.FreeAcceleration]) -> None:
         for step in steps:
             if step.joint in self.needed:
                 self._add(step.does, None, "step", (step,))
 
-    def _certify(self, steps: list[Certify]) -> None:
+    def _certify(self, steps: list[do.Certify]) -> None:
         """A chain in parts is certified part by part, beside each other."""
         for step in steps:
             run = next(iter(self.parts.runs), None)
             self._add(step.does, run, "step" if run is None else "parts", [step])
 
-    def _receive(self, steps: list[Receive]) -> None:
+    def _receive(self, steps: list[do.Receive]) -> None:
         for step in steps:
             links = self.plan.messages[step.message].inertias
             self._add("receive", None, "step", [step], [self._first(link) for link in links])

@@ -6,23 +6,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from itertools import groupby
 from typing import TypeVar
 
+from adagen.plan import steps as do
 from adagen.plan.parts import pairs_of, strips_of
 from adagen.plan.robot import PlanJoint
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateRoot,
-    Articulate,
-    Disassemble,
-    InvertRoot,
-    Join,
-    Load,
-    Propagate,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.program.runs import Run
 
-_AtLink = TypeVar("_AtLink", Load, AccelerateRoot)
-_OfJoint = TypeVar("_OfJoint", Articulate, Accelerate)
+_AtLink = TypeVar("_AtLink", do.Load, do.AccelerateRoot)
+_OfJoint = TypeVar("_OfJoint", do.Articulate, do.Accelerate)
 
 
 def parts_joined(run: Run, lanes: int, steps: Sequence[Step]) -> list[Run]:
@@ -35,7 +26,7 @@ def parts_joined(run: Run, lanes: int, steps: Sequence[Step]) -> list[Run]:
     """
     strips = strips_of(range(run.first, run.last + 1), lanes)
     wanted = [strips[far].start for _, far in pairs_of(len(strips))]
-    joins = [step.joint for step in steps if isinstance(step, Join) and step.joint in wanted]
+    joins = [step.joint for step in steps if isinstance(step, do.Join) and step.joint in wanted]
     return [Run(strip.start + 1, strip.stop - 1) for strip in strips] if joins == wanted else []
 
 
@@ -44,7 +35,7 @@ class PartedRuns:
 
     def __init__(self) -> None:
         self.runs: dict[Run, list[Run]] = {}
-        self._roots: dict[int, InvertRoot] = {}  # by link: the first link of a part
+        self._roots: dict[int, do.InvertRoot] = {}  # by link: the first link of a part
 
     def __contains__(self, unit: object) -> bool:
         """Whether a unit of a sweep is a part."""
@@ -57,7 +48,7 @@ class PartedRuns:
         for run, parts in self.runs.items():
             yield run, [by_joint[j] for part in parts for j in joints(part)]
 
-    def keep_roots(self, steps: Sequence[InvertRoot]) -> list[InvertRoot]:
+    def keep_roots(self, steps: Sequence[do.InvertRoot]) -> list[do.InvertRoot]:
         """Keep the steps at the first links of parts until mobilities are carried; return others.
 
         A part's first link has the number of its first joint.
@@ -67,10 +58,10 @@ class PartedRuns:
         return [step for step in steps if step.link not in first]
 
     def propagated(
-        self, steps: list[Propagate]
-    ) -> tuple[list[tuple[Run, list[InvertRoot | Propagate]]], list[Propagate]]:
+        self, steps: list[do.Propagate]
+    ) -> tuple[list[tuple[Run, list[do.InvertRoot | do.Propagate]]], list[do.Propagate]]:
         """Return each run with its steps and those at the roots of its parts, and other steps."""
-        found: list[tuple[Run, list[InvertRoot | Propagate]]] = []
+        found: list[tuple[Run, list[do.InvertRoot | do.Propagate]]] = []
         for run, parts in self.runs.items():
             joints = {j for part in parts for j in part.joints()}
             own = [step for step in steps if step.joint in joints]
@@ -80,8 +71,8 @@ class PartedRuns:
         return found, steps
 
     def joined(
-        self, steps: Sequence[Join | Disassemble], joints: Sequence[PlanJoint]
-    ) -> Iterator[tuple[Run | None, list[Join | Disassemble]]]:
+        self, steps: Sequence[do.Join | do.Disassemble], joints: Sequence[PlanJoint]
+    ) -> Iterator[tuple[Run | None, list[do.Join | do.Disassemble]]]:
         """Yield successive joins of the parts of one run together; None for others."""
         between: dict[int, Run] = {}
         for parted, parts in self.runs.items():

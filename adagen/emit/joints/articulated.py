@@ -5,16 +5,9 @@ from __future__ import annotations
 from adagen.emit import forces
 from adagen.emit.joints.joins import store, torques, velocity_product
 from adagen.emit.symbols import Symbols
+from adagen.plan import steps as do
 from adagen.plan.order import ends_of
-from adagen.plan.steps import (
-    Accelerate,
-    Articulate,
-    Deliver,
-    FreeAcceleration,
-    FreeBase,
-    Propagate,
-    Spread,
-)
+from adagen.plan.steps import Spread
 
 
 def of_link(symbols: Symbols, j: int, link: int) -> str:
@@ -22,7 +15,7 @@ def of_link(symbols: Symbols, j: int, link: int) -> str:
     return "i" if link == j + 1 else symbols.link_memory(link)
 
 
-def articulate(symbols: Symbols, step: Articulate) -> list[str]:
+def articulate(symbols: Symbols, step: do.Articulate) -> list[str]:
     """I^A and p^A of the far link, through the joint, onto the near link."""
     j = step.joint
     joint = symbols.plan.joints[j]
@@ -52,7 +45,7 @@ def articulate(symbols: Symbols, step: Articulate) -> list[str]:
     return [*lines, f"{add}{call}, {own}.IA, {own}.pA);"]
 
 
-def propagate(symbols: Symbols, step: Propagate) -> list[str]:
+def propagate(symbols: Symbols, step: do.Propagate) -> list[str]:
     """Omega and Psi of the far link from the near link's."""
     lines = [f"auto& i = {symbols.memory(step.joint)};"]
     target = symbols.block(step.block)
@@ -71,7 +64,7 @@ def propagate(symbols: Symbols, step: Propagate) -> list[str]:
     return lines
 
 
-def _spread(symbols: Symbols, step: Propagate, spread: Spread, name: str) -> list[str]:
+def _spread(symbols: Symbols, step: do.Propagate, spread: Spread, name: str) -> list[str]:
     source = symbols.block(spread.source)
     if step.reversed:
         start = f"{source}.transpose()" if spread.source_transposed else source
@@ -88,7 +81,7 @@ def _spread(symbols: Symbols, step: Propagate, spread: Spread, name: str) -> lis
     ]
 
 
-def far_acceleration(step: Propagate | Accelerate, near: str, target: str) -> list[str]:
+def far_acceleration(step: do.Propagate | do.Accelerate, near: str, target: str) -> list[str]:
     """The far link's acceleration from the near link's."""
     if step.reversed:
         moved = "accelerate(i.body, a);"
@@ -96,7 +89,7 @@ def far_acceleration(step: Propagate | Accelerate, near: str, target: str) -> li
     return [f"{target} = i.X * {near};", f"accelerate(i.body, {target});"]
 
 
-def deliver(symbols: Symbols, step: Deliver) -> list[str]:
+def deliver(symbols: Symbols, step: do.Deliver) -> list[str]:
     """The load on the far link, through the joint, onto the near link."""
     near, far = ends_of(symbols.plan.joints, step.joint, step.reversed)
     load = f"{of_link(symbols, step.joint, far)}.load"
@@ -111,7 +104,7 @@ def deliver(symbols: Symbols, step: Deliver) -> list[str]:
     return lines
 
 
-def accelerate(symbols: Symbols, step: Accelerate) -> list[str]:
+def accelerate(symbols: Symbols, step: do.Accelerate) -> list[str]:
     """Qdd of the joint and the acceleration of its far link."""
     near, far = ends_of(symbols.plan.joints, step.joint, step.reversed)
     start = "w.ground" if near == 0 else f"{of_link(symbols, step.joint, near)}.a"
@@ -130,7 +123,7 @@ def accelerate(symbols: Symbols, step: Accelerate) -> list[str]:
     return [*lines, *_force(symbols, step, far)] if symbols.refine else lines
 
 
-def _force(symbols: Symbols, step: Accelerate, far: int) -> list[str]:
+def _force(symbols: Symbols, step: do.Accelerate, far: int) -> list[str]:
     """The joint's force on its child link, to be refined."""
     beyond = of_link(symbols, step.joint, far)
     load = f" - {beyond}.load" if far in symbols.loaded else ""
@@ -142,7 +135,7 @@ def _force(symbols: Symbols, step: Accelerate, far: int) -> list[str]:
     ]
 
 
-def free_base(symbols: Symbols, step: FreeBase) -> list[str]:
+def free_base(symbols: Symbols, step: do.FreeBase) -> list[str]:
     """The torque of a floating joint on the ground, straight onto its link."""
     j = step.joint
     return [
@@ -155,7 +148,7 @@ def free_base(symbols: Symbols, step: FreeBase) -> list[str]:
     ]
 
 
-def free_acceleration(symbols: Symbols, step: FreeAcceleration) -> list[str]:
+def free_acceleration(symbols: Symbols, step: do.FreeAcceleration) -> list[str]:
     """Qdd of a floating joint on the ground, from the acceleration of its link."""
     j = step.joint
     return [

@@ -7,21 +7,8 @@ from collections import defaultdict
 from adagen.emit import forces
 from adagen.emit.joints.fused import freedoms, type_of
 from adagen.emit.symbols import Symbols
-from adagen.plan.steps import (
-    Articulate,
-    Bias,
-    Block,
-    Disassemble,
-    Force,
-    FusedJoin,
-    Join,
-    LinkBias,
-    Load,
-    StartLink,
-    Step,
-    biases_set_by,
-    blocks_set_by,
-)
+from adagen.plan import steps as do
+from adagen.plan.steps import Bias, Block, Force, Step, biases_set_by, blocks_set_by
 
 
 def _of_started_link(symbols: Symbols, link: int) -> list[str]:
@@ -64,25 +51,25 @@ class Members:
         for bias in biases_set_by(step):
             self._bias(bias)
         match step:
-            case LinkBias():
+            case do.LinkBias():
                 name = symbols.quoted_link(step.link)
                 self.lines[step.link - 1].append(f"Columns6 b;  // bias of the bare link {name}")
-            case Join():
+            case do.Join():
                 self._joined(step)
-            case Disassemble():
+            case do.Disassemble():
                 for update in step.updates:
                     handle_forces[update.target.joint].add(update.target)
-            case StartLink():
+            case do.StartLink():
                 self.lines[step.link - 1] += _of_started_link(symbols, step.link)
-            case Articulate():
+            case do.Articulate():
                 self.lines[step.joint].append(f"{forces.body_type(symbols, step.joint)} body;")
-            case Load():
+            case do.Load():
                 self.lines[step.link - 1].append("Columns6 load;  // what handle forces add")
 
-    def _joined(self, step: Join) -> None:
+    def _joined(self, step: do.Join) -> None:
         symbols = self.symbols
         kind = forces.joined_type(symbols, step.joint)
-        if isinstance(step, FusedJoin):
+        if isinstance(step, do.FusedJoin):
             kind = type_of(symbols, step)
             run = f"Run<{freedoms(symbols, step)}> run;"
             self.lines[step.joint].append(f"{run}  // that it is joined with")

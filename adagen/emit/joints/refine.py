@@ -9,25 +9,16 @@ from adagen.emit.joints.fused import reassembly
 from adagen.emit.joints.joins import bias_updates
 from adagen.emit.joints.steps import step_lines
 from adagen.emit.symbols import Symbols
+from adagen.plan import steps as do
 from adagen.plan.order import ends_of
-from adagen.plan.steps import (
-    Articulate,
-    FusedJoin,
-    InvertRoot,
-    Join,
-    Kinematics,
-    LinkBias,
-    Propagate,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Process
 
 _VERBS: dict[type, str] = {
-    Join: "reassemble",
-    FusedJoin: "reassemble",
-    Articulate: "rearticulate",
-    Propagate: "repropagate",
+    do.Join: "reassemble",
+    do.FusedJoin: "reassemble",
+    do.Articulate: "rearticulate",
+    do.Propagate: "repropagate",
 }
 
 
@@ -48,21 +39,21 @@ def add_corrections(symbols: Symbols, rows: list[dict[str, object]]) -> None:
 def _function(symbols: Symbols, step: Step) -> list[str]:
     lines = [f"auto& i = {symbols.memory(getattr(step, 'joint', -1))};"]
     match step:
-        case FusedJoin():
+        case do.FusedJoin():
             lines += reassembly(symbols, step)
-        case Join():
+        case do.Join():
             b_a = "w.ground" if step.a_bias is None else symbols.bias(step.a_bias)
             lines.append(f"rejoin(i.joined, i.X * {b_a}, {symbols.bias(step.b_bias)});")
             lines += bias_updates(symbols, step)
-        case Articulate():
+        case do.Articulate():
             lines += _rearticulate(symbols, step)
-        case Propagate():
+        case do.Propagate():
             near = "w.ground" if step.near_bias is None else symbols.bias(step.near_bias)
             lines += far_acceleration(step, near, symbols.bias(step.bias))
     return lines
 
 
-def _rearticulate(symbols: Symbols, step: Articulate) -> list[str]:
+def _rearticulate(symbols: Symbols, step: do.Articulate) -> list[str]:
     near, far = ends_of(symbols.plan.joints, step.joint, step.reversed)
     bias = f"{of_link(symbols, step.joint, far)}.pA"
     if step.reversed:
@@ -82,15 +73,15 @@ def _correction(symbols: Symbols, process: Process, step: Step) -> list[str]:
     if verb is not None:
         return [f"{verb}_{symbols.joints[getattr(step, 'joint', -1)]}(w);"]
     match step:
-        case Kinematics():
+        case do.Kinematics():
             return []
-        case LinkBias():
+        case do.LinkBias():
             rho = f"{symbols.bare_block(step.link)} * w.refinement.rho[{step.link}]"
             return [f"{symbols.link_memory(step.link)}.b = first_column({rho});"]
-        case StartLink():
+        case do.StartLink():
             rho = f"-w.refinement.rho[{step.link}]"
             return [f"{symbols.link_memory(step.link)}.pA = first_column({rho});"]
-        case InvertRoot():
+        case do.InvertRoot():
             product = f"{symbols.block(step.block)} * {symbols.link_memory(step.link)}.pA"
             return [f"{symbols.bias(step.bias)} = -({product});"]
         case _:

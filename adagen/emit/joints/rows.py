@@ -9,41 +9,30 @@ from adagen.emit.joints import articulated, fused, joins
 from adagen.emit.joints.kinematics import kinematics_lines
 from adagen.emit.joints.memory import Members
 from adagen.emit.symbols import Symbols
-from adagen.plan.steps import (
-    Accelerate,
-    Articulate,
-    Deliver,
-    Disassemble,
-    FreeAcceleration,
-    FreeBase,
-    FusedJoin,
-    Join,
-    Kinematics,
-    Propagate,
-    Step,
-)
+from adagen.plan import steps as do
+from adagen.plan.steps import Step
 
 # Steps that are functions of a joint in emitted code, and what these are called.
 VERBS: dict[type, str] = {
-    Kinematics: "kinematics",
-    Join: "assemble",
-    FusedJoin: "assemble",
-    Disassemble: "disassemble",
-    FreeBase: "free_base",
-    Articulate: "articulate",
-    Propagate: "propagate",
-    Deliver: "deliver",
-    Accelerate: "accelerate",
-    FreeAcceleration: "free_acceleration",
+    do.Kinematics: "kinematics",
+    do.Join: "assemble",
+    do.FusedJoin: "assemble",
+    do.Disassemble: "disassemble",
+    do.FreeBase: "free_base",
+    do.Articulate: "articulate",
+    do.Propagate: "propagate",
+    do.Deliver: "deliver",
+    do.Accelerate: "accelerate",
+    do.FreeAcceleration: "free_acceleration",
 }
 
 _LINES: dict[type, Callable[[Symbols, Any], list[str]]] = {
-    FreeBase: articulated.free_base,
-    Articulate: articulated.articulate,
-    Propagate: articulated.propagate,
-    Deliver: articulated.deliver,
-    Accelerate: articulated.accelerate,
-    FreeAcceleration: articulated.free_acceleration,
+    do.FreeBase: articulated.free_base,
+    do.Articulate: articulated.articulate,
+    do.Propagate: articulated.propagate,
+    do.Deliver: articulated.deliver,
+    do.Accelerate: articulated.accelerate,
+    do.FreeAcceleration: articulated.free_acceleration,
 }
 
 
@@ -59,8 +48,8 @@ def joint_rows(symbols: Symbols) -> list[dict[str, object]]:
     plan = symbols.plan
     members = Members(symbols)
     functions: list[dict[str, dict[str, object]]] = [{} for _ in plan.joints]
-    ends = {step.joint: step for step in plan.steps_of(Disassemble)}
-    joined = {step.joint: step for step in plan.steps_of(Join)}
+    ends = {step.joint: step for step in plan.steps_of(do.Disassemble)}
+    joined = {step.joint: step for step in plan.steps_of(do.Join)}
     for step in plan.steps:
         name = function_of(symbols, step)
         if name is not None:
@@ -82,21 +71,25 @@ def joint_rows(symbols: Symbols) -> list[dict[str, object]]:
 
 
 def _function(
-    symbols: Symbols, step: Step, name: str, joined: dict[int, Join], ends: dict[int, Disassemble]
+    symbols: Symbols,
+    step: Step,
+    name: str,
+    joined: dict[int, do.Join],
+    ends: dict[int, do.Disassemble],
 ) -> dict[str, object]:
     comment = ""
     match step:
-        case Kinematics():
+        case do.Kinematics():
             lines = kinematics_lines(symbols, step.joint)
-        case FusedJoin():
+        case do.FusedJoin():
             comment = joins.parts(symbols, step, ends[step.joint])
             lines = fused.assembly(symbols, step)
-        case Join():
+        case do.Join():
             comment = joins.parts(symbols, step, ends[step.joint])
             lines = joins.assembly(symbols, step)
-        case Disassemble():
+        case do.Disassemble():
             join = joined[step.joint]
-            if isinstance(join, FusedJoin):
+            if isinstance(join, do.FusedJoin):
                 lines = fused.disassembly(symbols, join, step)
             else:
                 lines = joins.disassembly(symbols, join, step)

@@ -15,20 +15,9 @@ from adagen.emit.messages import (
 )
 from adagen.emit.processes import stamped
 from adagen.emit.symbols import Symbols
+from adagen.plan import steps as do
 from adagen.plan.messages import Message
-from adagen.plan.steps import (
-    AccelerateRoot,
-    ApplyCoupling,
-    InvertRoot,
-    LinkBias,
-    Load,
-    Receive,
-    Send,
-    SolveCoupling,
-    SolveRoot,
-    StartLink,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Process
 from adagen.program import Operation
 
@@ -52,49 +41,49 @@ def step_lines(symbols: Symbols, process: Process, step: Step) -> list[str]:
     if function is not None:
         return [f"{function}(w);"]
     match step:
-        case LinkBias():
+        case do.LinkBias():
             memory = symbols.link_memory(step.link)
             mobility = symbols.bare_block(step.link)
             return [
                 f"link_bias(kLinks[{step.link}], {memory}.v, {memory}.b);",
                 *forces.pushes(symbols, step.link, f"{memory}.b += {mobility} * {{}};"),
             ]
-        case StartLink():
+        case do.StartLink():
             memory = symbols.link_memory(step.link)
             inertia = symbols.inertia(step.link)
             return [
                 f"start_link({inertia}, {memory}.v, {memory}.IA, {memory}.pA);",
                 *forces.pushes(symbols, step.link, f"{memory}.pA -= {{}};"),
             ]
-        case InvertRoot():
+        case do.InvertRoot():
             memory = symbols.link_memory(step.link)
             inverse = f"{symbols.block(step.block)}, {symbols.bias(step.bias)}"
             return [
                 f"if (!invert({memory}.IA, {memory}.pA, {inverse}))",
                 f"  fail(w, kFactorization, {step.link - 1});",
             ]
-        case SolveRoot():
+        case do.SolveRoot():
             memory = symbols.link_memory(step.link)
             return [
                 f"if (!solve_root({memory}.IA, {memory}.pA, {memory}.a))",
                 f"  fail(w, kFactorization, {step.link - 1});",
             ]
-        case Load():
+        case do.Load():
             load = "Columns6::Zero()" if step.force is None else symbols.force(step.force)
             return [f"{symbols.link_memory(step.link)}.load = {load};"]
-        case AccelerateRoot():
+        case do.AccelerateRoot():
             memory, b = symbols.link_memory(step.link), symbols.bias(step.bias)
             return [f"{memory}.a = {b} + {symbols.block(step.block)} * {memory}.load;"]
-        case Send():
+        case do.Send():
             calls = _calls(symbols, step.message, "put", "to")
             return send_lines(symbols, step.message, calls)
-        case Receive():
+        case do.Receive():
             calls = _calls(symbols, step.message, "get", "from")
             return receive_lines(symbols, step.message, calls)
-        case SolveCoupling():
+        case do.SolveCoupling():
             rows = "std::array<std::array<Real, kColumns>, kColumns - 1>"
             return coupling_lines(symbols, rows, lambda j: f"{symbols.memory(j)}.qdd[0]")
-        case ApplyCoupling():
+        case do.ApplyCoupling():
             return [
                 f"store_coupled(w, {j}, {symbols.plan.joints[j].v}, {memory}.qdd, w.coupling);"
                 for j, memory in ((j, symbols.memory(j)) for j in process.owns)

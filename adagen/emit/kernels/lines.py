@@ -9,20 +9,10 @@ from adagen.emit.kernels.limb_spread import LimbSpread
 from adagen.emit.kernels.residual_sweep import ResidualSweep, blocks_of, links_looked_at, word
 from adagen.emit.processes import stamped
 from adagen.emit.symbols import Symbols
+from adagen.plan import steps as do
 from adagen.plan.edges import is_base
 from adagen.plan.simd_groups import Limbs, placed_links
-from adagen.plan.steps import (
-    Append,
-    ApplyCoupling,
-    Arrive,
-    LoadRoot,
-    Receive,
-    Send,
-    SolveCoupling,
-    StartLink,
-    Step,
-    Traverse,
-)
+from adagen.plan.steps import Step
 from adagen.plan.types import Process
 from adagen.program import Links, Operation
 from adagen.program.names import PASSING, PREPARED
@@ -106,9 +96,9 @@ class KernelLines:
     def _couples(self, operation: Operation) -> bool:
         """Whether an operation is about coupling torques of slaved joints."""
         for step in operation.steps:
-            if isinstance(step, SolveCoupling | ApplyCoupling):
+            if isinstance(step, do.SolveCoupling | do.ApplyCoupling):
                 return True
-            if isinstance(step, Send | Receive):
+            if isinstance(step, do.Send | do.Receive):
                 return self.symbols.plan.messages[step.message].joint is None
         return False
 
@@ -125,7 +115,7 @@ class KernelLines:
 
         See LinkRole in templates/kernels.cpp.j2.
         """
-        own = {s.link for s in self.process.steps if isinstance(s, StartLink)} - self.placed
+        own = {s.link for s in self.process.steps if isinstance(s, do.StartLink)} - self.placed
         return [
             {
                 "gathers": k in self.gathers,
@@ -210,7 +200,7 @@ class KernelLines:
 
     def _traverse(self, operation: Operation) -> list[str]:
         (step,), run = operation.steps, operation.block
-        assert isinstance(step, Traverse)
+        assert isinstance(step, do.Traverse)
         assert isinstance(run, Run)
         verb = "traverse" + "_in_strips" * (operation.method == "strips")
         own = self.symbols.passage(step.passage)
@@ -219,13 +209,13 @@ class KernelLines:
 
     def _append(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
-        assert isinstance(step, Append)
+        assert isinstance(step, do.Append)
         whole, near, far = map(self.symbols.passage, (step.passage, step.near, step.far))
         return [f"{whole} = appended({near}, {far});"]
 
     def _arrive(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
-        assert isinstance(step, Arrive)
+        assert isinstance(step, do.Arrive)
         name = self.symbols.quoted_link(step.passage.link)
         own = self.symbols.passage(step.passage)
         return [f"arrive<{step.near}, {step.passage.link}>(w, {own});  // {name}"]
@@ -388,7 +378,7 @@ class KernelLines:
 
     def _load_root(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
-        assert isinstance(step, LoadRoot)
+        assert isinstance(step, do.LoadRoot)
         self.parts.add(step.link)
         kept = [f"keep_held(w, {step.link});"] if self.symbols.plan.weighed else []
         return [*kept, *mobility.lines_of(self.symbols, self.p, step)]

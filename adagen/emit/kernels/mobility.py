@@ -16,26 +16,9 @@ from adagen.emit.joints.fused import freedoms, type_of
 from adagen.emit.kernels import fused
 from adagen.emit.symbols import Symbols
 from adagen.plan import Plan
+from adagen.plan import steps as do
 from adagen.plan.edges import is_free_base
-from adagen.plan.steps import (
-    AccelerateRoot,
-    Bias,
-    Deliver,
-    Disassemble,
-    Force,
-    FusedJoin,
-    HoldMobility,
-    InvertRoot,
-    Join,
-    LinkBias,
-    Load,
-    LoadRoot,
-    Propagate,
-    SolveMobility,
-    Step,
-    biases_set_by,
-    blocks_set_by,
-)
+from adagen.plan.steps import Bias, Force, Step, biases_set_by, blocks_set_by
 from adagen.program import Operation, Program
 from adagen.program.runs import Run, ends_of_run
 
@@ -43,18 +26,18 @@ CARRIED = ("carried", "along")
 """Methods by which wrenches are carried through runs."""
 
 STEPS = (
-    InvertRoot
-    | LinkBias
-    | Propagate
-    | Join
-    | FusedJoin
-    | Disassemble
-    | Load
-    | LoadRoot
-    | Deliver
-    | AccelerateRoot
-    | SolveMobility
-    | HoldMobility
+    do.InvertRoot
+    | do.LinkBias
+    | do.Propagate
+    | do.Join
+    | do.FusedJoin
+    | do.Disassemble
+    | do.Load
+    | do.LoadRoot
+    | do.Deliver
+    | do.AccelerateRoot
+    | do.SolveMobility
+    | do.HoldMobility
 )
 
 
@@ -65,7 +48,7 @@ def has_cuts(plan: Plan) -> bool:
 
 def holds_ground(plan: Plan) -> bool:
     """Return whether a process inverts the mobility of the ground's side."""
-    return any(isinstance(step, HoldMobility) for step in plan.all_steps)
+    return any(isinstance(step, do.HoldMobility) for step in plan.all_steps)
 
 
 def carries(program: Program) -> bool:
@@ -79,12 +62,12 @@ def carries(program: Program) -> bool:
 
 def has_fused(plan: Plan) -> bool:
     """Return whether runs of joints are joined as one."""
-    return any(plan.steps_of(FusedJoin))
+    return any(plan.steps_of(do.FusedJoin))
 
 
 def runtime(plan: Plan) -> list[str]:
     """Return the parts of the runtime that joins need."""
-    joined = {step.joint for step in plan.all_steps if isinstance(step, Join)}
+    joined = {step.joint for step in plan.all_steps if isinstance(step, do.Join)}
     held = any(plan.joints[j].prescribed or plan.joints[j].rotor_inertia for j in joined)
     runs = ["fused.hpp"] * has_fused(plan)
     return ["spatial.hpp", "joins.hpp", *runs, *["effects.hpp"] * held]
@@ -93,7 +76,7 @@ def runtime(plan: Plan) -> list[str]:
 def passes_free(plan: Plan) -> bool:
     """Return whether mobilities are carried outwards across floating joints."""
     return any(
-        isinstance(step, Propagate) and plan.joints[step.joint].kind == "floating"
+        isinstance(step, do.Propagate) and plan.joints[step.joint].kind == "floating"
         for step in plan.all_steps
     )
 
@@ -111,11 +94,11 @@ def members(symbols: Symbols) -> dict[int, list[str]]:
             assert bias.joint is not None
             lines[bias.joint][f"Columns6 b_{symbols.links[bias.handle]};"] = None
     for step in computed:
-        if isinstance(step, LinkBias):
+        if isinstance(step, do.LinkBias):
             lines[step.link - 1]["Columns6 b;"] = None
-        if isinstance(step, Join):
+        if isinstance(step, do.Join):
             lines[step.joint].update(dict.fromkeys(_members_of_join(symbols, step)))
-        if isinstance(step, Disassemble):
+        if isinstance(step, do.Disassemble):
             forces |= {update.target for update in step.updates}
     for force in sorted(forces):
         lines[force.joint][f"Columns6 {symbols.force_member(force)};"] = None
@@ -134,7 +117,7 @@ def _computed(program: Program) -> Iterator[Step]:
                 yield from operation.steps
 
 
-def _joining_parts(program: Program) -> Iterator[Join]:
+def _joining_parts(program: Program) -> Iterator[do.Join]:
     """Yield the joins by which parts become one chain: what that shows is stored."""
     for own in program.processes:
         for operation in own.operations:
@@ -142,8 +125,8 @@ def _joining_parts(program: Program) -> Iterator[Join]:
                 yield _last_join(operation)
 
 
-def _members_of_join(symbols: Symbols, join: Join) -> list[str]:
-    if isinstance(join, FusedJoin):
+def _members_of_join(symbols: Symbols, join: do.Join) -> list[str]:
+    if isinstance(join, do.FusedJoin):
         kind = type_of(symbols, join)
         lines = [f"Run<{freedoms(symbols, join)}> run;"]
     else:
@@ -162,40 +145,40 @@ def lines_of(symbols: Symbols, p: int, step: Step) -> list[str]:
     What is carried out run by run has functions of its own: ``propagation``, ``delivery``.
     """
     match step:
-        case InvertRoot():
+        case do.InvertRoot():
             phi, b = symbols.block(step.block), symbols.bias(step.bias)
             return [f"invert_root<{p}, {step.link}>(w, {phi}, {b});"]
-        case LinkBias():
+        case do.LinkBias():
             phi, b = symbols.bare_block(step.link), symbols.bias(Bias(None, step.link))
             return [f"bare_link<{step.link}>(w, {phi}, {b});"]
-        case Join():
+        case do.Join():
             return _scoped(_assembly(symbols, step))
-        case Disassemble():
+        case do.Disassemble():
             return _scoped(_disassembly(symbols, step))
-        case Load(link, force):
+        case do.Load(link, force):
             load = (
                 "Columns6::Zero()"
                 if force is None
                 else f"in_base(w, {link}, {symbols.force(force)})"
             )
             return [f"w.loads[{link}] = {load};"]
-        case LoadRoot():
+        case do.LoadRoot():
             sign = "" if step.held else "-"
             return [f"w.loads[{step.link}] = {sign}force_on<{step.link}>(w);"]
-        case HoldMobility():
+        case do.HoldMobility():
             phi, b = symbols.block(step.block), symbols.bias(step.bias)
             return [f"hold<{step.link}>(w, {phi}, {b});"]
-        case AccelerateRoot():
+        case do.AccelerateRoot():
             b, phi = symbols.bias(step.bias), symbols.block(step.block)
             return [f"accelerate_root<{step.link}>(w, {phi}, {b});"]
-        case SolveMobility():
+        case do.SolveMobility():
             phi, b = symbols.block(step.block), symbols.bias(step.bias)
             return [f"solve_mobility<{step.link}>(w, {phi}, {b});"]
     raise AssertionError(f"no code for {step}")
 
 
-def _assembly(symbols: Symbols, step: Join) -> list[str]:
-    if isinstance(step, FusedJoin):
+def _assembly(symbols: Symbols, step: do.Join) -> list[str]:
+    if isinstance(step, do.FusedJoin):
         return fused.assembly(symbols, step)
     turned = replace(step, velocity_product=False)
     return [
@@ -205,9 +188,9 @@ def _assembly(symbols: Symbols, step: Join) -> list[str]:
     ]
 
 
-def _disassembly(symbols: Symbols, step: Disassemble) -> list[str]:
+def _disassembly(symbols: Symbols, step: do.Disassemble) -> list[str]:
     join = _join_of(symbols.plan, step.joint)
-    if isinstance(join, FusedJoin):
+    if isinstance(join, do.FusedJoin):
         return fused.disassembly(symbols, join, step)
     lines = joins.disassembly(symbols, join, step, turned=True)
     if is_free_base(symbols.plan.joints[step.joint]):
@@ -275,16 +258,16 @@ def weighed_parts(run: Run) -> list[str]:
     ]
 
 
-def _last_join(operation: Operation) -> Join:
+def _last_join(operation: Operation) -> do.Join:
     """The join by which the parts of a run become one chain."""
     step = operation.steps[-1]
-    assert isinstance(step, Join)
+    assert isinstance(step, do.Join)
     return step
 
 
-def _first_release(operation: Operation) -> Disassemble:
+def _first_release(operation: Operation) -> do.Disassemble:
     step = operation.steps[0]
-    assert isinstance(step, Disassemble)
+    assert isinstance(step, do.Disassemble)
     return step
 
 
@@ -303,7 +286,7 @@ def _shown_by_whole(symbols: Symbols, operation: Operation) -> tuple[str, ...]:
 
 def propagation(symbols: Symbols, operation: Operation) -> list[str]:
     """Return the lines of an operation that carries mobilities outwards."""
-    steps = [step for step in operation.steps if isinstance(step, Propagate)]
+    steps = [step for step in operation.steps if isinstance(step, do.Propagate)]
     first, last = steps[0], steps[-1]
     if operation.method not in CARRIED:
         return _propagate(symbols, first)
@@ -329,7 +312,7 @@ def propagation(symbols: Symbols, operation: Operation) -> list[str]:
     ]
 
 
-def _coupled(symbols: Symbols, run: Run, first: Propagate, last: Propagate) -> Iterator[str]:
+def _coupled(symbols: Symbols, run: Run, first: do.Propagate, last: do.Propagate) -> Iterator[str]:
     """Couplings of handles with a run's last link, from those with its first link."""
     for spread, begun in zip(last.spreads, first.spreads, strict=True):
         source = symbols.block(begun.source) + ".transpose()" * begun.source_transposed
@@ -361,17 +344,17 @@ def _scoped(lines: list[str]) -> list[str]:
     return ["{", *(f"  {line}" for line in lines), "}"]
 
 
-def _of(symbols: Symbols, step: Propagate, verb: str) -> str:
+def _of(symbols: Symbols, step: do.Propagate, verb: str) -> str:
     """The function that carries a quantity across a joint."""
     prescribed = "_prescribed" if symbols.plan.joints[step.joint].prescribed else ""
     return f"{verb}{prescribed}<{'true' if step.reversed else 'false'}>"
 
 
-def _join_of(plan: Plan, joint: int) -> Join:
-    return next(step for step in plan.steps_of(Join) if step.joint == joint)
+def _join_of(plan: Plan, joint: int) -> do.Join:
+    return next(step for step in plan.steps_of(do.Join) if step.joint == joint)
 
 
-def _propagate(symbols: Symbols, step: Propagate) -> list[str]:
+def _propagate(symbols: Symbols, step: do.Propagate) -> list[str]:
     near = "kZero" if step.near is None else symbols.block(step.near)
     near_bias = "kGround" if step.near_bias is None else symbols.bias(step.near_bias)
     far = f"{symbols.block(step.block)}, {symbols.bias(step.bias)}"

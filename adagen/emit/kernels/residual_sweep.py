@@ -7,18 +7,10 @@ from collections.abc import Iterable, Sequence
 from adagen.emit.kernels import shared_bound
 from adagen.emit.kernels.limb_spread import LimbSpread
 from adagen.emit.symbols import Symbols
+from adagen.plan import steps as do
 from adagen.plan.limb_spread import spread_beyond
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import (
-    Articulate,
-    Certify,
-    FreeBase,
-    HoldMobility,
-    LoadRoot,
-    SolveMobility,
-    SolveRoot,
-    Step,
-)
+from adagen.plan.steps import Step
 from adagen.program import Links, Operation
 from adagen.program.runs import Run
 from adagen.program.slots import Slots
@@ -36,7 +28,7 @@ def blocks_of(slots: Slots, joints: Iterable[int]) -> list[tuple[str, str]]:
 
 def links_looked_at(step: Step) -> set[int]:
     """Return the links whose accelerations are compared between processes."""
-    if not isinstance(step, Certify):
+    if not isinstance(step, do.Certify):
         return set()
     shares = [*step.hears, *([] if step.tells is None else [step.tells])]
     return {link for share in shares for link in share.links}
@@ -73,7 +65,7 @@ class ResidualSweep:
             "clear_inertia": self._cleared,
             "solve_mobility": self._shown,
         }
-        share = step if isinstance(step, Certify) else Certify()
+        share = step if isinstance(step, do.Certify) else do.Certify()
         lines = ["begin_weighing(w);", *["begin_shared_weighing(w);"] * bool(share.hears)]
         self.hears = share.hears
         self.limb_spread = LimbSpread(self.symbols, self.slots, operations)
@@ -89,9 +81,9 @@ class ResidualSweep:
     def _look_at(self, operations: Sequence[Operation]) -> None:
         """Find the links whose joint is swept outwards, and the held link."""
         steps = [step for op in operations for step in op.steps]
-        swept = [step for step in steps if isinstance(step, Articulate)]
+        swept = [step for step in steps if isinstance(step, do.Articulate)]
         self.forward = {step.joint + 1 for step in swept if not step.reversed}
-        self.held = {step.link for step in steps if isinstance(step, LoadRoot)}
+        self.held = {step.link for step in steps if isinstance(step, do.LoadRoot)}
         self.steps = steps
 
     def _links(self, operation: Operation) -> list[str]:
@@ -108,7 +100,7 @@ class ResidualSweep:
 
     def _held(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
-        assert isinstance(step, HoldMobility)
+        assert isinstance(step, do.HoldMobility)
         return ["begin_rest(w);", *self._beyond(step.link, f"weigh_held<{step.link}>(w, {{}});")]
 
     def _beyond(self, link: int, call: str) -> list[str]:
@@ -124,7 +116,7 @@ class ResidualSweep:
 
     def _shown(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
-        assert isinstance(step, SolveMobility)
+        assert isinstance(step, do.SolveMobility)
         if step.link not in self.held:
             return []
         phi = self.symbols.block(step.block)
@@ -136,7 +128,7 @@ class ResidualSweep:
 
     def _root(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
-        assert isinstance(step, SolveRoot)
+        assert isinstance(step, do.SolveRoot)
         return [f"weigh_root<{self.p}, {step.link}>(w);"]
 
     def _received(self, operation: Operation) -> list[str]:
@@ -162,12 +154,12 @@ class ResidualSweep:
         return [f"{verb}<{ends}>(w);  // {self.symbols.span(block.first, block.last)}"]
 
 
-def _is_own(share: Certify, operation: Operation) -> bool:
+def _is_own(share: do.Certify, operation: Operation) -> bool:
     """Whether an operation belongs to a process's part of a certificate."""
     if operation.does == "receive":
         return bool(share.hears)
     swept = next(iter(operation.steps), None)
-    if not share.joints or not isinstance(swept, Articulate | FreeBase | SolveRoot):
+    if not share.joints or not isinstance(swept, do.Articulate | do.FreeBase | do.SolveRoot):
         return True
-    joint = swept.link - 1 if isinstance(swept, SolveRoot) else swept.joint
+    joint = swept.link - 1 if isinstance(swept, do.SolveRoot) else swept.joint
     return joint in share.joints

@@ -1,4 +1,7 @@
-"""The steps of a plan, and the names of the buffers that they read and set."""
+"""The steps of a plan, and the names of the buffers that they read and set.
+
+A module that names many of them imports them as ``do``: ``do.Articulate``, ``do.Send``.
+"""
 
 from __future__ import annotations
 
