@@ -231,6 +231,26 @@ class TestSolve:
             arm(q[0], v[0], tau[0], w=1)  # type: ignore[call-arg]
 
 
+@pytest.mark.parametrize("batch", [False, True])
+def test_what_nobody_asks_for_is_no_number(batch: bool, tmp_path: Path) -> None:
+    """The first joint's acceleration is not computed; of the states one cannot be solved."""
+    scene = tmp_path / "few.toml"
+    scene.write_text('accelerations = ["elbow_pitch"]\n')
+    solver = adagen.compile(adagen.read(ARM, scene=scene), batch=batch).build()
+    q, v, tau, true = states(solver, 21)
+    (wanted,) = np.flatnonzero(~np.isnan(solver(q, v, tau)).all(axis=0))
+    assert wanted > 0 and wanted == solver.index("elbow_pitch", of="v")
+    tau[5] = np.nan
+    with pytest.raises(adagen.SolveError) as failed:
+        solver(q, v, tau)
+    assert (failed.value.state, failed.value.count) == (5, 1)
+    out = np.asarray(failed.value.out)
+    assert np.isnan(np.delete(out, wanted, axis=1)).all()
+    assert np.flatnonzero(np.isnan(out[:, wanted])).tolist() == [5]
+    good = np.delete(np.arange(21), 5)
+    assert forward_error(out[good][:, [wanted]], true[good][:, [wanted]]) < ROUNDING["double"]
+
+
 class TestNames:
     def test_joints_and_their_places(self, mobile: adagen.Solver) -> None:
         assert mobile.joints == adagen.read(MOBILE).joints

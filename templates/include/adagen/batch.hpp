@@ -18,6 +18,7 @@
 #include "sample/handout.hpp"
 #include "sample/parameters.hpp"
 #include "sample/processes.hpp"
+#include "sample/robot.hpp"
 #include "sample/workspace.hpp"
 #include "sizes.hpp"
 #include "status.hpp"
@@ -190,17 +191,18 @@ class Solver {
   }
 
   // Tries the states that have no accelerations once more, each by itself; returns the first
-  // failure.
+  // failure, if there is one: where a group failed, each of its states may have been solved alone.
   int name_failures(int count, const Number* q, const Number* v, const Number* tau,
                     const Number* qdd) {
     for (int s = 0; s < count; ++s) {
-      const Number first = qdd[size(s) * kNqdd];
+      const Number first = qdd[size(s) * kNqdd + first_computed()];
       if (first == first) continue;
       take(groups_.front(), s, 1, q, v, tau);
       const int status = run(1);
       if (count_ < kKept) failures_[size(count_)] = {s, status};
       ++count_;
     }
+    if (count_ == 0) return kFine;
     text = in_words(failures_.front());
     if (count_ > 1) {
       text += " (and ";
@@ -208,6 +210,13 @@ class Solver {
       text += " more states)";
     }
     return failures_.front().status;
+  }
+
+  // An entry of qdd that each state has which is solved.
+  static std::size_t first_computed() {
+    for (const JointConstants& joint : kJoints)
+      if (joint.given) return size(joint.v);
+    return size(kNv);
   }
 
   static Text in_words(const FailedState& failed) {

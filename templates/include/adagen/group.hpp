@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "sample/processes.hpp"
 #include "sample/workspace.hpp"
@@ -18,12 +19,19 @@ namespace {
 // States that are solved together: as many as there are lanes, one in each, or one by itself.
 constexpr int kTogether = static_cast<int>(sizeof(Value) / sizeof(Real));
 
+// Accelerations that nobody has computed, or asked for, are not numbers.
+inline std::array<Value, kNqdd> no_accelerations() {
+  std::array<Value, kNqdd> none;
+  none.fill(Value{} + std::numeric_limits<Real>::quiet_NaN());
+  return none;
+}
+
 // These, and what they are solved with.
 struct Group {
   Workspace w;
   std::array<Value, kNq> q{};
   std::array<Value, kNv> v{};
-  std::array<Value, kNqdd> qdd{};
+  std::array<Value, kNqdd> qdd = no_accelerations();
   std::array<Value, kNtau> tau{};
 };
 
