@@ -1,4 +1,6 @@
 // A call's arguments, and the call.
+#include <functional>
+
 #if defined(__linux__)
 #include <sched.h>
 #endif
@@ -69,6 +71,12 @@ int threads_for(PyObject* given, npy_intp count) {
   return static_cast<int>(std::min<npy_intp>(asked, pieces));
 }
 
+// Whether two rows of numbers have some in common.
+bool overlap(const Number* a, npy_intp count_a, const Number* b, npy_intp count_b) {
+  const std::less<> before;
+  return before(a, b + count_b) && before(b, a + count_a);
+}
+
 PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObject* names) {
   PyObject* placed[kArguments] = {};
   if (!arrange(given, PyVectorcall_NARGS(flags), names, placed)) return nullptr;
@@ -79,7 +87,10 @@ PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObje
   Owned out(output(placed[3], q));
   if (out.get() == nullptr) return nullptr;
   auto* const qdd = static_cast<Number*>(PyArray_DATA(out.array()));
-  if (q.count > 0 && (qdd == q.data() || qdd == v.data() || qdd == tau.data())) {
+  const npy_intp numbers = q.count * kNqdd;
+  if (overlap(qdd, numbers, q.data(), q.count * kNq) ||
+      overlap(qdd, numbers, v.data(), q.count * kNv) ||
+      overlap(qdd, numbers, tau.data(), q.count * kNtau)) {
     PyErr_SetString(PyExc_ValueError, "out is also what is read");
     return nullptr;
   }

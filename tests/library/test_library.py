@@ -46,6 +46,10 @@ def test_scene_and_profile_are_in_head_and_plan(tmp_path: Path) -> None:
     assert plan_from_json(plan).gravity == plan_from_json(made.files["arm7_p1.plan.json"]).gravity
 
 
+LONG = np.zeros(12)
+"""Arrays of nine numbers lie in it, one over the other."""
+
+
 class TestRead:
     def test_a_robot_tells_what_it_is(self) -> None:
         robot = adagen.read(MOBILE)
@@ -211,6 +215,8 @@ class TestSolve:
             (lambda x: (x.q, x.v), TypeError, "tau is missing"),
             (lambda x: (x.q, x.v, x.tau, None, 1), TypeError, "not 5 arguments"),
             (lambda x: (x.q, x.v, x.tau, x.v), ValueError, "out is also what is read"),
+            (lambda x: (LONG[:9], x.v, x.tau, LONG[3:]), ValueError, "out is also what is read"),
+            (lambda x: (x.q, x.v, LONG[3:], LONG[:9]), ValueError, "out is also what is read"),
             (lambda x: (x.q, x.v, x.tau, x.q[:3].copy()), ValueError, "out must be an array"),
             (lambda x: (x.q, x.v, x.tau, [0.0] * 9), ValueError, "out must be an array"),
             (lambda x: (x.q * 1j, x.v, x.tau), TypeError, "complex128 are no real numbers"),
