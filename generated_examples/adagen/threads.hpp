@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -35,7 +36,7 @@ namespace {
 // evaluations, at first awake, then asleep.
 class Solver : public InPlace {
  public:
-  Solver() = default;
+  Solver() { qdd_.fill(std::numeric_limits<Number>::quiet_NaN()); }
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
   ~Solver() { close(); }
@@ -219,7 +220,8 @@ class Solver : public InPlace {
   alignas(kCacheLine) std::array<Number, kNq> q_{};
   std::array<Number, kNv> v_{};
   std::array<Number, kNtau> tau_{};
-  alignas(kCacheLine) std::array<Number, kNqdd> qdd_{};  // each thread writes its own
+  // Each thread writes its own; those that nobody asks for are not numbers.
+  alignas(kCacheLine) std::array<Number, kNqdd> qdd_;
 };
 
 }  // namespace

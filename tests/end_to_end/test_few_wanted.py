@@ -21,10 +21,15 @@ WANTED = "joint002"
 
 @pytest.fixture(scope="module")
 def wanted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Compiled, States, Array]:
+    return compiled_for_two(tmp_path_factory.mktemp("wanted"))
+
+
+def compiled_for_two(folder: Path, channel: str = "auto") -> tuple[Compiled, States, Array]:
     """A robot compiled for two processes, three states of it, and the acceleration in each."""
-    scene = tmp_path_factory.mktemp("wanted") / "scene.toml"
+    scene = folder / "scene.toml"
     scene.write_text(f'accelerations = ["{WANTED}"]\n')
-    compiled = adagen.compile(adagen.read(MODELS / "snake100.urdf", scene=scene), procs=2)
+    robot = adagen.read(MODELS / "snake100.urdf", scene=scene)
+    compiled = adagen.compile(robot, procs=2, channel=channel)
     states = random_states(compiled.model, 3, seed=4)
     return compiled, states, truth_of(compiled.model, states)[:, entry(compiled)]
 
@@ -61,3 +66,11 @@ def test_all_processes_take_part(
     for asked in (("--check",), ("--time", "--repeat", "2")):  # in place and through process 0
         done = solver.run(*asked, *words)
         assert (done.status, done.stderr) == (0, "")
+
+
+def test_in_python_all_else_is_no_number(tmp_path: Path) -> None:
+    """Threads write into an array of their own, which is copied as a whole."""
+    compiled, states, true = compiled_for_two(tmp_path, channel="threads")
+    found = compiled.build()(states.q, states.v, states.tau)
+    assert np.isnan(np.delete(found, entry(compiled), axis=1)).all()
+    assert np.allclose(found[:, entry(compiled)], true, rtol=100 * ROUNDING["double"], atol=0)
