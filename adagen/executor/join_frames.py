@@ -155,7 +155,7 @@ def joint_coordinates(graph: Graph, s: Array, length: float) -> tuple[Array, Exp
     r[3:] = r[3:] * unit
     for k in range(6):
         b[k, k] = graph.constant(1) if k < 3 else unit
-    scale = [graph.reciprocal(_norm(graph, r[:, k])) for k in range(n)]
+    scale = [graph.reciprocal(graph.sqrt(total(r[:, k] * r[:, k]))) for k in range(n)]
     for k in range(n):
         r[:, k] = r[:, k] * scale[k]
     for k in range(n):
@@ -165,10 +165,6 @@ def joint_coordinates(graph: Graph, s: Array, length: float) -> tuple[Array, Exp
     for k in range(n):
         b[k] = top[k] * scale[k]
     return b, graph.reciprocal(total(x * x for k in range(n) for x in inverse[k, k:]))
-
-
-def _norm(graph: Graph, x: Array) -> Expression:
-    return graph.sqrt(total(x * x))
 
 
 def _inverted(graph: Graph, r: Array) -> Array:

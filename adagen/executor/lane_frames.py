@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from adagen.exact import Exact, exact, identity, rotated_inertia, rounded
 from adagen.plan import Plan
-from adagen.plan.robot import PlanJoint, PlanLink, PlanLoop, PlanOutput, PlanParameter, PlanWrench
+from adagen.plan.robot import PlanJoint, PlanLink, PlanLoop, PlanOutput, PlanWrench
 from adagen.plan.simd_groups import Limbs
 
 Array = NDArray[np.float64]
@@ -181,7 +181,10 @@ def _turned(plan: Plan, turns: Mapping[int, Exact]) -> Plan:
         loops=tuple(_loop(loop, links) for loop in plan.loops),
         outputs=tuple(_placed(output, links) for output in plan.outputs),
         parameters=tuple(
-            replace(parameter, turn=_rows(links[parameter.link].T.dot(exact(_turn_of(parameter)))))
+            replace(
+                parameter,
+                turn=_rows(links[parameter.link].T.dot(exact(parameter.turn or identity()))),
+            )
             if parameter.link in links and parameter.what == "center"
             else parameter
             for parameter in plan.parameters
@@ -202,11 +205,6 @@ def _placed(item: _Placed, links: Mapping[int, Exact]) -> _Placed:
         rotation=_rows(turn.dot(exact(item.rotation))),
         translation=_vector(turn.dot(exact(item.translation))),
     )
-
-
-def _turn_of(parameter: PlanParameter) -> Exact | tuple[tuple[float, ...], ...]:
-    """The rotation of a parameter's link so far."""
-    return parameter.turn or identity()
 
 
 def _joint(joint: PlanJoint, j: int, links: Mapping[int, Exact]) -> PlanJoint:

@@ -44,16 +44,14 @@ class Passages:
         whole: Array | None = None
         for j in range(passage.first, passage.last + 1):
             x, moving = self.motion.placed(j)
-            rotation = np.array([x.rotation.vector(unit) for unit in self._units()]).T
+            units = self.state.constants(np.eye(3))
+            rotation = np.array([x.rotation.vector(unit) for unit in units]).T
             turning, sliding = x.rotation.vector(moving[:3]), x.rotation.vector(moving[3:])
             nothing = self.state.zeros(3)
             own = np.concatenate([rotation.ravel(), turning, nothing, x.origin, sliding, nothing])
             whole = own if whole is None else self._appended(whole, own)
         assert whole is not None  # no run is empty
         return whole
-
-    def _units(self) -> list[Array]:
-        return [self.state.constants([float(i == k) for i in range(3)]) for k in range(3)]
 
     def _appended(self, near: Array, far: Array) -> Array:
         """The passage of two successive runs."""

@@ -283,12 +283,9 @@ class Segments:
         moved, self.memory["a", far] = self._far_acceleration(step, start)
         self.state.accelerate(step.joint, moved * sigma)
         if self.state.refining:
-            self._keep_force(step, far)
+            self.state.keep_force(step.joint, self._force(step, far), driven=True)
         if self.reactions.intersection(j + 1 for j in rows.own(step.joint)):
             self.memory["reaction", step.joint + 1] = self._force(step, far)
-
-    def _keep_force(self, step: do.Accelerate, far: int) -> None:
-        self.state.keep_force(step.joint, self._force(step, far), driven=True)
 
     def _force(self, step: do.Accelerate, far: int) -> Array:
         """F = I^A a + p^A - load of the far link, as it acts on the child link."""

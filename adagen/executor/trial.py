@@ -151,11 +151,6 @@ def _beside(q: Array, hinges: list[int]) -> Array:
     return found
 
 
-def _worst(shares: Array, errors: Array) -> Trial:
-    """The largest of squared errors, with the joints' parts in it."""
-    return _found(shares, errors, int(np.argmax(errors)))
-
-
 def _found(shares: Array, errors: Array, place: int) -> Trial:
     """A trial from one squared error and the joints' parts in it."""
     return Trial(float(np.sqrt(errors[place])), int(np.argmax(np.nan_to_num(shares[place]))))
@@ -179,7 +174,9 @@ def carried_out(plan: Plan) -> Trial:
     free = [replace(each, damping=0.0, friction=0.0, stiffness=0.0) for each in plan.joints]
     bare = replace(plan, joints=tuple(free))
     found = interpret(bare, q.T, v.T, tau.T, algebra)[: plan.nv].T
-    return _worst(*_off(plan, states, np.asarray(found, more), accelerations(plan, *states)))
+    truth = accelerations(plan, *states)
+    shares, errors = _off(plan, states, np.asarray(found, more), truth)
+    return _found(shares, errors, int(np.argmax(errors)))
 
 
 def _off(plan: Plan, states: States, found: Array, truth: Array) -> tuple[Array, Array]:

@@ -8,7 +8,6 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
 
 import numpy as np
 
@@ -162,8 +161,9 @@ def _floated(robot: Compiled, notes: Notes) -> int:
     children = robot.children()
     roots = [body for body in children[0] if _moves(robot, children, body)] or children[0]
     if len(roots) != 1:
+        names = quoted([robot.bodies[body] for body in roots])
         raise notes.error(
-            f"--floating sets one body free, and on the world are {quoted(_names(robot, roots))}: "
+            f"--floating sets one body free, and on the world are {names}: "
             "write a <freejoint/> in one"
         )
     joints = robot.joints_of(roots[0])
@@ -184,7 +184,3 @@ def _moves(robot: Compiled, children: list[list[int]], body: int) -> bool:
             return True
         waiting += children[each]
     return False
-
-
-def _names(robot: Compiled, bodies: Sequence[Any]) -> list[str]:
-    return [robot.bodies[body] for body in bodies]

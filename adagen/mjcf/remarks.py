@@ -65,7 +65,8 @@ def remark(robot: Compiled, notes: Notes) -> None:
     if model.opt.density or model.opt.viscosity:
         notes.warn("forces of the medium (density, viscosity) are not modelled")
     if model.nplugin:
-        notes.warn(f"{_many(model.nplugin, 'plugin')} not modelled")
+        plugins = "1 plugin is" if model.nplugin == 1 else f"{model.nplugin} plugins are"
+        notes.warn(f"{plugins} not modelled")
     _warn_of_inputs(robot, notes)
     limited = int(sum(map(bool, model.jnt_limited)))
     for count, what in (
@@ -102,10 +103,6 @@ def _bodies(names: list[str]) -> str:
     )
 
 
-def _many(count: int, what: str) -> str:
-    return f"{count} {what} is" if count == 1 else f"{count} {what}s are"
-
-
 def _has(model: Any, name: str, which: int) -> bool:
     table = getattr(model, name, None)
     return table is not None and bool(abs(table[which]).max() > 0.0)
@@ -124,10 +121,11 @@ def couplings(robot: Compiled, slaved: bool, notes: Notes) -> dict[int, tuple[in
             of one degree of freedom by a straight line.
     """
     follows: dict[int, tuple[int, float, float]] = {}
+    model = robot.model
     for which in active_equalities(robot):
-        joint, source = int(robot.model.eq_obj1id[which]), int(robot.model.eq_obj2id[which])
+        joint, source = int(model.eq_obj1id[which]), int(model.eq_obj2id[which])
         where = f"<joint> {quoted([robot.named('EQUALITY', which)])} of <equality>"
-        data = [float(x) for x in robot.model.eq_data[which][:5]]
+        data = [float(x) for x in model.eq_data[which][:5]]
         if source < 0:
             raise notes.error(
                 f'{where} holds joint "{robot.joints[joint]}": remove it, and lock the joint in a '
@@ -138,22 +136,15 @@ def couplings(robot: Compiled, slaved: bool, notes: Notes) -> dict[int, tuple[in
             raise notes.error(
                 f"{where} couples {pair}: use --mimic to make the first follow, or remove it"
             )
-        if any(data[2:]) or joint in follows or not _scalar(robot, joint, source):
+        straight = all(model.jnt_type[j] in (SLIDE, HINGE) for j in (joint, source))
+        if any(data[2:]) or joint in follows or not straight:
             raise notes.error(
                 f"{where} couples {pair} as no <mimic> does: one straight line for each joint, of "
                 "hinges and slides"
             )
-        here, there = (_reference(robot, j) for j in (joint, source))
+        here, there = (float(model.qpos0[model.jnt_qposadr[j]]) for j in (joint, source))
         follows[joint] = source, data[1], here + data[0] - data[1] * there
     return {joint: _followed(robot, joint, follows, notes) for joint in follows}
-
-
-def _scalar(robot: Compiled, *joints: int) -> bool:
-    return all(robot.model.jnt_type[j] in (SLIDE, HINGE) for j in joints)
-
-
-def _reference(robot: Compiled, joint: int) -> float:
-    return float(robot.model.qpos0[robot.model.jnt_qposadr[joint]])
 
 
 def _followed(

@@ -204,10 +204,6 @@ class ExchangePlanner(SegmentPlanner):
 
     # --- motions ---------------------------------------------------------------------------------
 
-    def _parted(self, node: Node) -> bool:
-        """Whether several processes join a node's two sides."""
-        return len({self.at_work[child.joint] for child in node.children}) == 2
-
     def _parts(self, root: Node) -> list[range] | None:
         """The part of a serial chain of each process, inner cut first; None without motions.
 
@@ -232,7 +228,7 @@ class ExchangePlanner(SegmentPlanner):
 
     def _inner_cuts(self, node: Node, cut: int = 0) -> Iterator[tuple[int, int]]:
         """Yield for each process, outwards along the chain, the first joint of its part."""
-        if not self._parted(node):
+        if len({self.at_work[child.joint] for child in node.children}) < 2:  # one joins both
             yield self.at_work[node.joint][0], cut
             return
         for child in node.children:  # the root side comes first
@@ -273,14 +269,14 @@ class Passages:
         """The groups of a node's processes, outwards, as many as the schedule combines at once."""
         groups = [node]
         while len(groups) < self.planner.schedule.fan:
-            finer = [one for group in groups for one in self._halves(group)]
+            halves = (
+                g.children if len(self.planner.at_work[g.joint]) > 1 else (g,) for g in groups
+            )
+            finer = [one for parts in halves for one in parts]
             if len(finer) == len(groups):
                 break
             groups = finer
         return groups
-
-    def _halves(self, group: Node) -> Sequence[Node]:
-        return group.children if len(self.planner.at_work[group.joint]) > 1 else (group,)
 
     def _put_together(self, node: Node) -> tuple[int, ...]:
         """Compute the passages before each of a node's processes, and their own if one asks for it.

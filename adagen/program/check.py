@@ -160,7 +160,8 @@ class _Memory:
         for place in (*contents(message), *inertias):
             self._known(place)
             # An inertia that is sent is this process's share of a sum that goes on here.
-            self.read[place] = self.read[place] or not _is_inertia(place)
+            inertia = isinstance(place, tuple) and place[0] == "inertia"
+            self.read[place] = self.read[place] or not inertia
 
     def _receive(self, number: int, mail: set[int], received: set[int]) -> bool:
         message = self.plan.messages[number]
@@ -246,7 +247,3 @@ class _Memory:
                 assert isinstance(step, do.Receive)
                 return self.plan.messages[step.message].inertias
         raise ProgramError(f"{self.where} says what it leaves, and leaves nothing")
-
-
-def _is_inertia(place: Place) -> bool:
-    return isinstance(place, tuple) and place[0] == "inertia"

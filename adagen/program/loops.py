@@ -284,9 +284,6 @@ class Loops:
         far = {link - 1 for link in links_of_run(self.joints, run) if run.reversed}
         return not self.turned.isdisjoint({*range(run.first, run.last + 1), *far})
 
-    def _of_one_freedom(self, run: Run) -> bool:
-        return all(self.joints[j].kind in OF_ONE_FREEDOM for j in run.joints())
-
     def _near(self, run: Run) -> int:
         return ends_of_run(self.joints, run)[0]
 
@@ -371,7 +368,8 @@ class Loops:
         for run in swept(self.joints, steps):
             inside = set(links_of_run(self.joints, run)) - set(ends_of_run(self.joints, run))
             method: Method = "through" if inside and inside <= self.through else "each"
-            if method == "through" and run in self.along & whole and self._of_one_freedom(run):
+            plain = all(self.joints[j].kind in OF_ONE_FREEDOM for j in run.joints())
+            if method == "through" and run in self.along & whole and plain:
                 method = "along"
                 self.loaded.add(run)
             if run in self.parts:

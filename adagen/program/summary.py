@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
@@ -112,21 +112,13 @@ def title(program: Program) -> str:
             how = "joined at cuts, by both sides of each"
         case "gathered":
             found = gathering(program)
-            where = named(_links(program, found.roots))
+            where = named([program.plan.links[k].name if k else "the ground" for k in found.roots])
             apart = any(message.sides for message in program.plan.messages)
             own = "each with trees of its own" if apart else "each with limbs of its own"
             how = f"gathered at {where}" if where else own
             if found.core:
-                how += f", core {named(_joints(program, found.core))}"
+                how += f", core {named([program.plan.joints[j].name for j in found.core])}"
     return f"{count} processes, {how}"
-
-
-def _links(program: Program, numbers: Iterable[int]) -> list[str]:
-    return [program.plan.links[k].name if k else "the ground" for k in numbers]
-
-
-def _joints(program: Program, numbers: Iterable[int]) -> list[str]:
-    return [program.plan.joints[j].name for j in numbers]
 
 
 _NAMED = 4

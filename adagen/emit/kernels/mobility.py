@@ -189,7 +189,7 @@ def _assembly(symbols: Symbols, step: do.Join) -> list[str]:
 
 
 def _disassembly(symbols: Symbols, step: do.Disassemble) -> list[str]:
-    join = _join_of(symbols.plan, step.joint)
+    join = next(one for one in symbols.plan.steps_of(do.Join) if one.joint == step.joint)
     if isinstance(join, do.FusedJoin):
         return fused.disassembly(symbols, join, step)
     lines = joins.disassembly(symbols, join, step, turned=True)
@@ -225,7 +225,8 @@ def lines_of_parts(symbols: Symbols, operation: Operation) -> list[str]:
             call = f"join_parts<{ends}>(w, shown_{k}.ends, {{{whole}}});"
             return [f"const JoinedParts joined_{k} = {call}"]
         case "disassemble":
-            release = _first_release(operation)
+            release = operation.steps[0]
+            assert isinstance(release, do.Disassemble)
             outer = [symbols.force(force) for force in release.forces]
             on_ground = symbols.plan.joints[release.joint].parent == 0
             on = ", ".join([*["Columns6::Zero()"] * on_ground, *outer, "Columns6::Zero()"][:2])
@@ -262,12 +263,6 @@ def _last_join(operation: Operation) -> do.Join:
     """The join by which the parts of a run become one chain."""
     step = operation.steps[-1]
     assert isinstance(step, do.Join)
-    return step
-
-
-def _first_release(operation: Operation) -> do.Disassemble:
-    step = operation.steps[0]
-    assert isinstance(step, do.Disassemble)
     return step
 
 
@@ -348,10 +343,6 @@ def _of(symbols: Symbols, step: do.Propagate, verb: str) -> str:
     """The function that carries a quantity across a joint."""
     prescribed = "_prescribed" if symbols.plan.joints[step.joint].prescribed else ""
     return f"{verb}{prescribed}<{'true' if step.reversed else 'false'}>"
-
-
-def _join_of(plan: Plan, joint: int) -> do.Join:
-    return next(step for step in plan.steps_of(do.Join) if step.joint == joint)
 
 
 def _propagate(symbols: Symbols, step: do.Propagate) -> list[str]:

@@ -383,7 +383,8 @@ class _ProcessText:
             node = self.graph.nodes[index]
             if node.mark != mark:
                 mark = node.mark
-                lines.append(f"// {self._described(mark)}")
+                step, row = self.process.steps[mark], self.machine.rows.own
+                lines.append(f"// {describe_step(self.symbols, step, row)}")
             if self.symbols.batch and self._known(node):
                 right = f"Value{{}} + {right}"  # no number in any lane
             if index in chunk.stores:
@@ -405,9 +406,6 @@ class _ProcessText:
         used = set(_names(lines))
         used.update(k for index in chunk.values for k in self.graph.nodes[index].args)
         return used | (set(chunk.values) - set(chunk.stores))
-
-    def _described(self, mark: int) -> str:
-        return describe_step(self.symbols, self.process.steps[mark], self.machine.rows.own)
 
     def _type(self, index: int) -> str:
         return "Lanes" if self.symbols.batch else TYPES[self.graph.nodes[index].width]
