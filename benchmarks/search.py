@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from adagen import paper
 from adagen.emit.shapes import chosen_shape, predict
 from adagen.garbage import seldom_collected
 from adagen.model import Model
@@ -111,7 +112,7 @@ def joins() -> Iterator[str]:
     """Yield the lines of the table of joins."""
     for task in tasks():
         s, spent, busy = timed(
-            find_schedule,
+            paper.find_schedule,
             task.topology,
             task.processes,
             profile=PAPER,

@@ -3,7 +3,6 @@
 Form `ada` is scheduled by it, and the tables of the paper come from it.
 """
 
-from adagen.paper.budget import Progress
 from adagen.paper.search import find_schedule
 
-__all__ = ["Progress", "find_schedule"]
+__all__ = ["find_schedule"]

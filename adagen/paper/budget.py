@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
-from dataclasses import dataclass
+from collections.abc import Generator
 from time import monotonic
 from typing import Any, TypeVar
 
@@ -14,42 +13,18 @@ class OutOfBudget(Exception):
     """The search has used up what it was given."""
 
 
-@dataclass(frozen=True)
-class Progress:
-    """What a search knows so far.
-
-    Attributes:
-        expanded: partial chains or search nodes expanded.
-        makespan: of the best schedule known, microseconds; None if there is none.
-        lower_bound: proven, microseconds.
-    """
-
-    expanded: int
-    makespan: float | None
-    lower_bound: float
-
-
 class Budget:
     """What a search may spend.
 
     Args:
         expansions: partial chains or search nodes; the same on every machine.
         deadline: on the monotonic clock; None for no such limit.
-        report: called now and then with the number of expansions.
     """
 
-    EVERY = 64
-
-    def __init__(
-        self,
-        expansions: int,
-        deadline: float | None = None,
-        report: Callable[[int], None] | None = None,
-    ) -> None:
+    def __init__(self, expansions: int, deadline: float | None = None) -> None:
         self.left = expansions
         self.expanded = 0
         self._deadline = deadline
-        self._report = report
 
     def spend(self) -> None:
         """Count one expansion.
@@ -61,8 +36,6 @@ class Budget:
         self.left -= 1
         if self.left < 0:
             raise OutOfBudget
-        if self.expanded % self.EVERY == 0 and self._report is not None:
-            self._report(self.expanded)
         if self._deadline is not None and monotonic() > self._deadline:
             raise OutOfBudget
 

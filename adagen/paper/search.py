@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from time import monotonic
 from typing import get_args
@@ -13,12 +13,12 @@ from adagen.paper.astar import AStar
 from adagen.paper.beam import incumbent
 from adagen.paper.bounds import Rules
 from adagen.paper.branch_and_bound import ExactSearch
-from adagen.paper.budget import Budget, OutOfBudget, Progress
+from adagen.paper.budget import Budget, OutOfBudget
 from adagen.paper.restricted import joined_between_processes, restricted_draft
 from adagen.paper.successors import Space
 from adagen.paper.tie_break import LeastWork, walk
 from adagen.schedule.chains import WHOLE
-from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.profile import CostProfile
 from adagen.schedule.search_result import Found
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Split, Strategy, Tie
@@ -39,7 +39,6 @@ class Request:
     improved: bool
     expansions: int
     deadline: float | None
-    progress: Callable[[Progress], None] | None
 
 
 def find_schedule(
@@ -53,7 +52,6 @@ def find_schedule(
     split: Split = "always",
     expansions: int = EXPANSIONS,
     time_budget: float | None = None,
-    progress: Callable[[Progress], None] | None = None,
     cuttable: Sequence[bool] | None = None,
 ) -> Schedule:
     """Return a schedule of the robot for P processes that minimises the makespan.
@@ -76,7 +74,6 @@ def find_schedule(
             it, one after the other; ``any``: also, ranges are divided in any way (both ``exact``).
         expansions: states or nodes the search may expand; the answer depends on nothing else.
         time_budget: seconds, None for no limit; if it ends the search, results are not repeatable.
-        progress: called now and then with the best schedule and bound so far.
         cuttable: for each joint whether two processes may meet there. If the best schedule has
             others, a beam search over the allowed cuts replaces it; the bound stays.
 
@@ -93,7 +90,7 @@ def find_schedule(
         profile = replace(profile.joins_only(), name=f"Eq. (11) of the {profile.name}")
     space = Space(topology, profile, rules := Rules.of(processes, split))
     searched = processes if rules.halving else rules.useful(processes, len(topology))
-    request = Request(space, searched, tie, improved, expansions, deadline, progress)
+    request = Request(space, searched, tie, improved, expansions, deadline)
     found = _found(request, strategy)
     _give_all(found.draft, searched, processes)
     schedule = found.schedule(topology, processes, profile, tie, strategy, split)
@@ -125,7 +122,7 @@ def check_request(
     strategy: str,
     split: str,
     expansions: int,
-    time_budget: float | None,
+    time_budget: float | None = None,
 ) -> None:
     """Refuse what no search can be asked; the arguments are those of :func:`find_schedule`.
 
@@ -162,10 +159,6 @@ def _one(request: Request) -> Found:
     return Found(draft, space.single.work(WHOLE), 0, True)
 
 
-def _budget(request: Request, report: Callable[[int], None] | None = None) -> Budget:
-    return Budget(request.expansions, request.deadline, report)
-
-
 def _guesses(request: Request) -> int:
     """Return how many states the beams may expand for a first schedule."""
     return max(64, min(1000, 10 * request.expansions))
@@ -184,12 +177,7 @@ def _exact(request: Request) -> Found:
     if not space.rules.halving:
         known, draft = min((known, draft), _halved(request), key=lambda pair: pair[0])
 
-    def report(expanded: int) -> None:
-        if request.progress is not None:
-            bound = max(lower, search.lower) / TICKS
-            request.progress(Progress(expanded, known / TICKS, bound))
-
-    search = ExactSearch(space, _budget(request, report))
+    search = ExactSearch(space, Budget(request.expansions, request.deadline))
     optimum = search.tighten(processes, known)
     if optimum is None:
         return Found(draft, search.lower, search.budget.expanded, False)
@@ -244,17 +232,12 @@ def _astar(request: Request, strategy: Strategy) -> Found:
     space, processes = request.space, request.processes
     lower = space.bounds.whole(processes)
 
-    def report(expanded: int) -> None:
-        if request.progress is not None:
-            bound = max(lower, search.lower) / TICKS
-            request.progress(Progress(expanded, None, bound))
-
     search = AStar(
         space,
         "paper" if strategy == "paper" else "admissible",
         request.improved,
         request.tie,
-        _budget(request, report),
+        Budget(request.expansions, request.deadline),
     )
     goal = search.search(processes)
     lower = max(lower, search.lower)

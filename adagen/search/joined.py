@@ -35,9 +35,9 @@ from adagen.search.hub_bound import Hubs
 from adagen.search.joint_bounds import ROWS, JointBounds
 from adagen.search.limbs import Robot
 from adagen.search.price import Pricing
+from adagen.search.schedules import find_segments
 from adagen.search.segment_bounds import SegmentBounds
 from adagen.search.segment_pareto import Label, State, draft_of
-from adagen.search.segment_schedule import find_segments
 from adagen.search.segment_search import FOREVER, SegmentSearch
 from adagen.search.whole_limb_bounds import SweepBound, WholeLimbBounds
 
@@ -358,7 +358,7 @@ class JoinedBound:
             working: processes that may have work, the first ones; the others stay idle.
         """
         expansions //= _SHARE  # no bound is asked for
-        found = find_segments(self.costs, working, self._allowed, expansions, None)
+        found = find_segments(self.costs, working, self._allowed, expansions)
         ranges = found.draft.ranges
         ranges[:] = [(a, self.processes if b == working else b) for a, b in ranges]
         return self._schedule(found, tie)

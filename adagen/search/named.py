@@ -19,7 +19,7 @@ from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Meeting, Named, Schedule, Strategy, postorder
 from adagen.schedule.tree_draft import Draft
 from adagen.schedule.validity import validate
-from adagen.search.segment_schedule import segment_bound
+from adagen.search.schedules import segment_bound
 
 
 def named_schedule(

@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from time import monotonic
+from collections.abc import Sequence
+from contextlib import suppress
+
+import numpy as np
+from numpy.typing import NDArray
 
 from adagen import paper
-from adagen.paper.budget import Progress
+from adagen.paper.budget import Budget, OutOfBudget
 from adagen.paper.search import EXPANSIONS, check_request
 from adagen.schedule import CostProfile, Schedule, Topology
+from adagen.schedule.chains import WHOLE
+from adagen.schedule.profile import TICKS
+from adagen.schedule.search_result import Found
+from adagen.schedule.segment_costs import SegmentCosts
+from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.tree import Split, Strategy, Tie
-from adagen.search.segment_schedule import segment_schedule
+from adagen.schedule.tree_prices import segment_time
+from adagen.search.segment_bounds import SegmentBounds
+from adagen.search.segment_pareto import Label, State, draft_of
+from adagen.search.segment_search import SegmentSearch
+
+_BEAMS = ((1, 1), (4, 1), (16, 1), (4, 2), (8, 4))
+"""Of each first guess: options followed at each state, and how unequal divisions may be."""
 
 
 def find_schedule(
@@ -23,14 +37,14 @@ def find_schedule(
     improved: bool = True,
     split: Split = "always",
     expansions: int = EXPANSIONS,
-    time_budget: float | None = None,
-    progress: Callable[[Progress], None] | None = None,
     cuttable: Sequence[bool] | None = None,
 ) -> Schedule:
     """Return a schedule of the robot for P processes that are joined at cuts.
 
-    Where the profile has costs of steps, segments are searched by them (segment_search.py); A*,
-    shared ranges, and profiles of joins alone follow the paper (adagen/paper/search.py).
+    Where the profile has costs of steps, segments are searched by them (segment_search.py): ranges
+    of up to four processes are divided in any way, larger ones in halves, and a chain may leave
+    processes idle where they do not pay. A*, shared ranges, and profiles of joins alone follow the
+    paper (adagen/paper/search.py).
 
     Args:
         topology: the robot.
@@ -42,8 +56,6 @@ def find_schedule(
         improved: for A*, the improved NextNodes().
         split: ``always``, ``free`` or ``any``; the last two price joints by Eq. (11).
         expansions: states or nodes the search may expand.
-        time_budget: seconds after which the search ends too; None for no such limit.
-        progress: called now and then with what is known.
         cuttable: for each joint whether two processes may meet there.
 
     Raises:
@@ -51,11 +63,12 @@ def find_schedule(
         UsageError: an argument is out of range.
     """
     if profile.steps is not None and strategy == "exact" and split == "always":
-        check_request(processes, tie, strategy, split, expansions, time_budget)
-        deadline = None if time_budget is None else monotonic() + time_budget
-        return segment_schedule(
-            topology, processes, profile, tie, cuttable, expansions=expansions, deadline=deadline
-        )
+        check_request(processes, tie, strategy, split, expansions)
+        costs = SegmentCosts(topology, profile)
+        allowed = [True] * len(topology) if cuttable is None else list(cuttable)
+        at = np.array([allowed[j] for j in costs.chains.original], dtype=np.bool_)
+        found = find_segments(costs, processes, at, expansions)
+        return found.schedule(topology, processes, profile, tie)
     return paper.find_schedule(
         topology,
         processes,
@@ -65,7 +78,52 @@ def find_schedule(
         improved=improved,
         split=split,
         expansions=expansions,
-        time_budget=time_budget,
-        progress=progress,
         cuttable=cuttable,
     )
+
+
+def segment_bound(topology: Topology, profile: CostProfile, processes: int) -> float:
+    """Return a lower bound that needs no search on the time of any schedule, microseconds."""
+    costs = SegmentCosts(topology, profile)
+    everywhere = np.ones(len(topology), dtype=np.bool_)
+    bounds = SegmentBounds(costs, everywhere, costs.costs.speeds(processes))
+    return bounds.least(WHOLE, processes) / TICKS
+
+
+def find_segments(
+    costs: SegmentCosts,
+    processes: int,
+    cuttable: NDArray[np.bool_],
+    expansions: int,
+) -> Found:
+    """Return the best schedule found and what is proven.
+
+    Args:
+        costs: prices of the robot's chains and cuts.
+        processes: P.
+        cuttable: per position, whether two processes may meet there.
+        expansions: states that may be expanded in all.
+    """
+    speeds = costs.costs.speeds(processes)
+    bounds = SegmentBounds(costs, cuttable, speeds)
+    search = SegmentSearch(costs, bounds, speeds, Budget(expansions))
+    alone = Sweeps(*segment_time(costs, WHOLE, 0, speeds[0]), 0)
+    best = Label(alone, State(WHOLE, 0, processes))
+    spent = 0
+    for width, uneven in _BEAMS:
+        budget = Budget(max(64, expansions // 4))
+        beam = SegmentSearch(costs, bounds, speeds, budget, width, uneven)
+        with suppress(OutOfBudget):
+            beam.solve(best.time.total)
+        spent += beam.budget.expanded
+        best = beam.best or best
+        if 2 * spent > expansions:
+            break
+    search.tighten(best.time.total)
+    draft = draft_of(search.best or best, costs.chains)
+    lower = search.lower
+    if processes > 2 and min(speeds) < max(speeds):
+        # On three or more cores of unequal speed the search has missed a schedule (0.2 % faster,
+        # tests/search/test_segments.py): what is proven is the bound that needs no search.
+        lower = min(lower, bounds.least(WHOLE, processes))
+    return Found(draft, lower, spent + search.budget.expanded)

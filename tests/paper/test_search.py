@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen import paper
 from adagen.errors import InputError, UsageError
 from adagen.schedule import CostProfile, Topology, levels, load_profile, validate
 from adagen.schedule.tree import Split, Strategy, Tie, preorder
@@ -207,6 +208,6 @@ def test_arguments_are_checked() -> None:
     ):
         arguments: dict[str, Any] = {"processes": 2, "profile": PAPER, **wrong}
         with pytest.raises(UsageError):
-            find_schedule(topology, **arguments)
+            paper.find_schedule(topology, **arguments)
     with pytest.raises(InputError, match="no movable joint"):
         find_schedule(Topology((), (), ()), 2, profile=PAPER)

@@ -19,7 +19,7 @@ from adagen.schedule import CostProfile, Topology, load_profile, makespan_of, pr
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.tree_draft import Draft
 from adagen.search import find_schedule
-from adagen.search.segment_schedule import segment_bound
+from adagen.search.schedules import segment_bound
 from tests.cost.costs import step_by_step, step_profile
 from tests.models import human_figure, random_tree, serial_chain, star
 from tests.scene.held import held
