@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -63,17 +64,11 @@ def whole_bytes(path: Path) -> bytes:
 def read_mjcf(
     path: str | Path,
     *,
-    floating: bool = False,
-    mimic: bool = False,
-    gravity: Sequence[float] | None = None,
-    effects: Collection[str] = (),
-    decided: Callable[[str, str], bool] = lambda _effect, _joint: False,
-    check: bool = True,
     strict: bool = False,  # noqa: ARG001 (MuJoCo's own compiler is strict)
-    held: bool = False,
     arguments: Mapping[str, str] = MappingProxyType({}),
+    **options: Any,
 ) -> Reading:
-    """Read an MJCF; arguments as ``adagen.urdf.read_robot``.
+    """Read an MJCF; arguments and options as ``adagen.urdf.read_robot``.
 
     Bodies without joints are lumped, joints of one body hang on links without mass, and a free
     joint without a name is the base ``__base__``. Gravity is the file's, unless it is given.
@@ -90,30 +85,20 @@ def read_mjcf(
     if "<include" in read_text(path, notes):
         notes.without_lines = True  # they may be another file's
     robot = compiled(Path(path), model_stem(path), notes)
-    return reading_of(
-        robot,
-        notes,
-        floating=floating,
-        mimic=mimic,
-        gravity=gravity,
-        effects=effects,
-        decided=decided,
-        check=check,
-        held=held,
-    )
+    return reading_of(robot, notes, **options)
 
 
 def reading_of(
     robot: Compiled,
     notes: Notes,
     *,
-    floating: bool,
-    mimic: bool,
-    gravity: Sequence[float] | None,
-    effects: Collection[str],
-    decided: Callable[[str, str], bool],
-    check: bool,
-    held: bool,
+    floating: bool = False,
+    mimic: bool = False,
+    gravity: Sequence[float] | None = None,
+    effects: Collection[str] = (),
+    decided: Callable[[str, str], bool] = lambda _effect, _joint: False,
+    check: bool = True,
+    held: bool = False,
 ) -> Reading:
     """Return what is made of a compiled MJCF; arguments as ``read_mjcf``.
 
