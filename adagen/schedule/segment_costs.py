@@ -10,13 +10,71 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from itertools import accumulate
+from typing import NamedTuple
 
-from adagen.schedule.chains import Chain, Chains
+from adagen.schedule.chains import Chain, Chains, Outwards
 from adagen.schedule.costs import PRESCRIBED, StepCosts, block_rows
 from adagen.schedule.profile import TICKS, CostProfile
-from adagen.schedule.segment_paths import Way, way_between
-from adagen.schedule.segment_prices import Price, SegmentPrice, Transit
 from adagen.schedule.topology import Topology
+
+
+class Price(NamedTuple):
+    """Times of the first sweep and of the second one; ticks."""
+
+    assembly: int
+    disassembly: int
+
+    @property
+    def total(self) -> int:
+        """Both together."""
+        return self.assembly + self.disassembly
+
+    def plus(self, other: Price) -> Price:
+        """Return the price of both."""
+        return Price(self.assembly + other.assembly, self.disassembly + other.disassembly)
+
+
+class SegmentPrice(NamedTuple):
+    """Times of a chain on one process; ticks.
+
+    Attributes:
+        kinematics: of its joints and of those between it and the ground, once.
+        sweeps: of everything else.
+        path: positions of the joints along which mobility is carried outwards.
+    """
+
+    kinematics: int
+    sweeps: Price
+    path: tuple[int, ...]
+
+
+class Transit(NamedTuple):
+    """Times of a chain's two messages; ticks.
+
+    Attributes:
+        assembly: to put the first one in, and again to take it out.
+        disassembly: the same of the second one.
+        send: of the sender besides.
+        latency: from sent to seen.
+    """
+
+    assembly: int
+    disassembly: int
+    send: int
+    latency: int
+
+    @property
+    def away(self) -> tuple[int, int]:
+        """How long they are under way in either sweep, apart from the time of the joint's process.
+
+        That process takes the times of the receiver in the first and of the sender in the second.
+        """
+        return self.assembly + self.send + self.latency, self.disassembly + self.latency
+
+    @property
+    def handling(self) -> Price:
+        """Time of the joint's process for them in either sweep."""
+        return Price(self.assembly, self.disassembly + self.send)
 
 
 class SegmentCosts:
@@ -271,3 +329,70 @@ class SegmentCosts:
             round(channel.send * TICKS),
             round(channel.latency * TICKS),
         )
+
+
+class Way(NamedTuple):
+    """From the root of a part of a segment to its handles; positions.
+
+    Attributes:
+        root: the link that inertias are swept to; 0 is the ground.
+        path: joints between the root and a handle, outwards.
+        turned: joints that have the root below them, whether on the path or not.
+        spreads: how often a coupling between two links is carried across a joint.
+        loads: links at which loads are collected on the way back.
+    """
+
+    root: int
+    path: tuple[int, ...]
+    turned: tuple[int, ...]
+    spreads: int
+    loads: int
+
+
+def way_between(chains: Chains, root: int, handles: Sequence[int], above: int = -1) -> Way:
+    """Return the way from a root to handles.
+
+    Args:
+        chains: the robot.
+        root: a link that is above all handles, or one of them.
+        handles: links, the root perhaps among them.
+        above: the uppermost link of the part if the root may lie below it; -1 if not.
+    """
+    turned = tuple(chains.above(root, above)) if above >= 0 else ()
+    if len(handles) <= 2 and above < 0 and root in handles:  # one path, every coupling carried once
+        last = next((link for link in handles if link != root), root)
+        path = tuple(chains.above(last, root))
+        return Way(root, path[::-1], (), len(path), len(path) + 1)
+    top = root
+    for link in handles if above >= 0 else ():
+        top = chains.meet(top, link)
+    joints = {p for link in (*handles, root) for p in chains.above(link, top)}
+    edges = chains.outwards(sorted(joints, key=lambda p: chains.original[p]), [root])
+    loaded = {near for _, near, _ in edges} | set(handles)
+    spreads = _spreads(edges, root, set(handles))
+    return Way(root, tuple(p for p, _, _ in edges), turned, spreads, len(loaded - {0}))
+
+
+def _spreads(edges: Sequence[Outwards], root: int, handles: set[int]) -> int:
+    """Return how many couplings are carried outwards.
+
+    Kept are those with handles, and with links where the path parts until its last branch.
+    """
+    last: dict[int, int] = {}
+    count: dict[int, int] = {}
+    for place, (_, near, _) in enumerate(edges):
+        last[near] = place
+        count[near] = count.get(near, 0) + 1
+    anchors = {link: place for link, place in last.items() if link and count[link] > 1}
+    reached = [root] if root else []
+    coupled = {(g, g) for g in reached}
+    spreads = 0
+    for place, (_, near, far) in enumerate(edges):
+        for g in reached:
+            kept = g in handles or place < anchors.get(g, -1)
+            if kept and (g == near or (g, near) in coupled):
+                spreads += 1
+                coupled |= {(g, far), (far, g)}
+        if far in handles or far in anchors:
+            reached.append(far)
+    return spreads

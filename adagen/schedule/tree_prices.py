@@ -13,8 +13,7 @@ from typing import NamedTuple
 
 from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.profile import TICKS, CostProfile
-from adagen.schedule.segment_costs import SegmentCosts
-from adagen.schedule.segment_prices import Price
+from adagen.schedule.segment_costs import Price, SegmentCosts
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node
 

@@ -18,8 +18,7 @@ from numpy.typing import NDArray
 from adagen.schedule.chains import Chain
 from adagen.schedule.costs import block_rows
 from adagen.schedule.profile import TICKS
-from adagen.schedule.segment_costs import SegmentCosts
-from adagen.schedule.segment_prices import Price
+from adagen.schedule.segment_costs import Price, SegmentCosts
 
 Ints = NDArray[np.int64]
 _ANY = 16  # processes up to which a range may be divided anyhow
