@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from adagen.emit.includes import needs_eigen
 from adagen.emit.kernels.mobility import passes_free
+from adagen.emit.settings import needs_eigen
 from adagen.emit.symbols import Symbols
 from adagen.errors import UsageError
 from adagen.plan import Plan

@@ -8,14 +8,13 @@ from functools import cached_property
 
 from adagen.emit.embedded import embedded_values
 from adagen.emit.head import algorithm, frames, method, program_lines
-from adagen.emit.includes import needs_eigen, umbrellas
 from adagen.emit.messages import describe_message, message_size
 from adagen.emit.model import model_values
 from adagen.emit.names import prefix_of, quoted
 from adagen.emit.processes import process_rows, table_sizes
 from adagen.emit.refine import refinement_messages
 from adagen.emit.runtime import version_number
-from adagen.emit.settings import description, settings
+from adagen.emit.settings import description, needs_eigen, settings, umbrellas
 from adagen.emit.shapes import KNOWN
 from adagen.emit.solver_program import PROGRAM_FILE, options_of
 from adagen.emit.symbols import Symbols

@@ -11,7 +11,7 @@ from itertools import groupby
 from operator import attrgetter
 
 from adagen.plan.steps import Receive, Send
-from adagen.plan.steps.sorts import What
+from adagen.plan.steps.names import What
 from adagen.plan.types import Process
 
 

@@ -19,8 +19,8 @@ from adagen.reference.coupling import (
     row_names,
 )
 from adagen.reference.inertia import cholesky_solve, inertia_matrix
+from adagen.reference.kinematics import momenta
 from adagen.reference.loop_rows import loop_rows, more_than_rounding
-from adagen.reference.motion import momenta
 from adagen.reference.newton_euler import energies, joint_torques
 from adagen.reference.numbers import DOUBLE
 

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from adagen.model import Model
-from adagen.reference.kinematics import Body, Placement, bodies, placements
-from adagen.reference.motion import moving_links
+from adagen.reference.kinematics import Body, Placement, bodies, moving_links, placements
 from adagen.reference.numbers import Numbers, Numeric, cross
 
 

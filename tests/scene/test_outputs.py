@@ -20,7 +20,7 @@ from adagen.emit import emit, program_of
 from adagen.errors import InputError, UsageError
 from adagen.executor import interpret, straight_line
 from adagen.graph import BALLS
-from adagen.library.simplified import simplifications
+from adagen.library.savings import simplifications
 from adagen.model import (
     INVERSE_INERTIA,
     LINK_ACCELERATION,

@@ -20,10 +20,9 @@ from adagen.emit.unrolled.arrangement import (
     is_swept,
     looked_at,
 )
-from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.results import Results, names_state
 from adagen.emit.unrolled.swept import kept_lines, sweep_line, swept_values
-from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
+from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text, describe_step
 from adagen.executor import Simulated, Swept, simulate
 from adagen.executor import groupings as shared_limbs
 from adagen.executor.checks import exceeds

@@ -1,13 +1,15 @@
-"""Expressions as C++ text: a value that is used once is written inline."""
+"""Expressions as C++ text, a value that is used once written inline; steps as comments."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from adagen.emit.expressions import Printer
+from adagen.emit.symbols import Symbols
 from adagen.emit.unrolled.arrangement import is_given
 from adagen.graph import Graph, Node
+from adagen.plan.steps import Step
 
 _MOST = 6  # operands of one statement
 _LARGEST = {"double": 1.7976931348623157e308, "float": 3.4028234663852886e38}
@@ -152,3 +154,25 @@ def _combined(node: Node, pieces: Sequence[_Piece]) -> _Piece:
 
 def _within(piece: _Piece, least: int) -> str:
     return piece.text if piece.binding >= least else f"({piece.text})"
+
+
+def describe_step(symbols: Symbols, step: Step, row: Callable[[int], Sequence[int]]) -> str:
+    """Return a step with its joints or links, in one line of ASCII.
+
+    Args:
+        symbols: the C++ names of the plan's joints, links and buffers.
+        step: the step.
+        row: the joints that are treated as one with a joint.
+    """
+    link, joint = getattr(step, "link", None), getattr(step, "joint", None)
+    if link is not None:
+        links = [j + 1 for j in row(link - 1)]
+        names = ", ".join(f"{k} {symbols.quoted_link(k)}" for k in links)
+        return f"link{'s' * (len(links) > 1)} {names}: {step.about}"
+    if joint is None:
+        return step.about
+    joints = row(joint)
+    names = ", ".join(f"{j} {symbols.quoted_joint(j)}" for j in joints)
+    if len(joints) == 1:
+        return f"joint {names}: {step.about}"
+    return f"joints {names}: {getattr(step, 'about_row', step.about)}"

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from adagen.plan.steps.names import Bias, Block, Force
-from adagen.plan.steps.sorts import InwardStep, OutwardStep
+from adagen.plan.steps.names import Bias, Block, Force, InwardStep, OutwardStep
 
 
 @dataclass(frozen=True)

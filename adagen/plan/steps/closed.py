@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from adagen.plan.steps.sorts import InwardStep, OutwardStep
+from adagen.plan.steps.names import InwardStep, OutwardStep
 
 
 @dataclass(frozen=True)

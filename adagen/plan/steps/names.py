@@ -1,4 +1,4 @@
-"""Names of the buffers that steps read and set.
+"""Names of the buffers that steps read and set, and sorts of steps.
 
 Five kinds of buffers are named, each in the memory of the process that computes or receives it:
 
@@ -17,6 +17,7 @@ ground do not exist.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar, Literal
 
 
 @dataclass(frozen=True, order=True)
@@ -78,3 +79,24 @@ class SideOfLoops:
     closure: int
     joints: tuple[int, ...]
     rows: int
+
+
+What = Literal["kinematics", "assembly", "disassembly", "slaved", "send", "receive"]
+
+
+class KinematicsStep:
+    """A step that computes poses and velocities."""
+
+    stage: ClassVar[What] = "kinematics"
+
+
+class InwardStep:
+    """A step of the first sweep: assembly, and articulated bodies."""
+
+    stage: ClassVar[What] = "assembly"
+
+
+class OutwardStep:
+    """A step of the second sweep, which finds accelerations, or of what follows it."""
+
+    stage: ClassVar[What] = "disassembly"

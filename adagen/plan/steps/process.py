@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from adagen.plan.steps.names import Passage
-from adagen.plan.steps.sorts import KinematicsStep, OutwardStep, What
+from adagen.plan.steps.names import KinematicsStep, OutwardStep, Passage, What
 
 _OPTIONAL = {"optional": True}  # fields that are not written where they have their default
 
