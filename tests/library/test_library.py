@@ -291,6 +291,17 @@ class TestObjects:
             assert np.array_equal(other(*given), arm(*given))
             assert other.compiled.request == arm.compiled.request
 
+    @pytest.mark.parametrize("batch", [False, True])
+    def test_a_copy_has_the_same_bits(self, batch: bool) -> None:
+        """Inertias that can be set are computed as they are when they are set."""
+        asked = {"shape": "kernels", "runtime": "mass:turret,mass:hand", "batch": batch}
+        solver = build(ARM, **asked)
+        given = states(solver, 9)[:3]
+        expected = solver(*given)
+        np.testing.assert_array_equal(copy.copy(solver)(*given), expected)
+        solver.set_mass("hand", solver.compiled.plan.parameter_values[-1])
+        np.testing.assert_array_equal(solver(*given), expected)
+
     def test_a_copy_is_of_the_same_build(self) -> None:
         found = find_toolchain()
         flags = tuple("-O1" if flag == "-O3" else flag for flag in found.flags)

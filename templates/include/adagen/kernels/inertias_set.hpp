@@ -17,6 +17,14 @@ struct Inertias {
   std::array<LinkInertia, kJointCount> inertias = kInertias;
   std::array<BlockConstants, kConstantsCount> constants = kBlockConstants;
 
+  // The bits are the same whether a mass is set to what it is at first, or not.
+  Inertias() {
+    for (const SettableLink& own : kSettableLinks) {
+      const LinkConstants& link = kLinks[static_cast<std::size_t>(own.link)];
+      set_inertia(own.link, link.mass, link.com);
+    }
+  }
+
   const LinkInertia& inertia_of(int joint) const {
     return inertias[static_cast<std::size_t>(joint)];
   }
