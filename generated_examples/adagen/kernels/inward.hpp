@@ -42,6 +42,10 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
   X.f += vector_at<T>(w.at(joints.slot, kForce));
 }
 
+ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
+  add_bare_link(w, single(link - 1), X);
+}
+
 // A bare link expressed about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r
 // / 2.
 template <class T>
@@ -186,7 +190,7 @@ ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
   if (turned_link<lost>(link))
     add_own_link(w, single(link - 1), X);
   else
-    add_bare_link(w, single(link - 1), X);
+    add_bare_link(w, link, X);
 }
 
 // Adds to a body those at a link.
@@ -245,19 +249,48 @@ constexpr bool bare(int first, int last) {
 template <int p, int first, int last, bool starts, bool reversed>
 void inward_again(Workspace& w);
 
+// The joint up to which a run is swept inwards before the next link where more is found than
+// itself; its end where there are many such links.
+template <int p, bool reversed>
+constexpr int end_of_piece(int first, int last) {
+  int more = 0;
+  for (int link = first + 1; link <= last; ++link) more += !bare<p>(link, link);
+  if (more >= kMostStretches) return reversed ? last : first;
+  int first_of_piece = last, last_of_piece = first;
+  while (first_of_piece > first && bare<p>(first_of_piece, first_of_piece)) --first_of_piece;
+  while (last_of_piece < last && bare<p>(last_of_piece + 1, last_of_piece + 1)) ++last_of_piece;
+  return reversed ? last_of_piece : first_of_piece;
+}
+
+// Calls step for joints last .. first, if reversed first .. last, with the body before each: what
+// is found at links is added. Bare links are added by arrive, the third argument of step.
+template <int p, int first, int last, bool reversed, class X, class Step>
+ADAGEN_INLINE void each_inward(Workspace& w, X& body, const Step& step) {
+  constexpr int end = end_of_piece<p, reversed>(first, last);
+  constexpr int low = reversed ? first : end, high = reversed ? end : last;
+  constexpr bool quick = bare<p>(low + 1, high);
+  const auto meet_before = [&](int j) ADAGEN_ALWAYS {
+    meet<p>(w, reversed ? kJoints[static_cast<std::size_t>(j)].parent : j + 1, body);
+  };
+  if constexpr (quick) meet_before(reversed ? low : high);
+  each_row<RunRows<low, high>, !reversed>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = low + k;
+    if constexpr (!quick) meet_before(j);
+    step(j, kind, [&](X& near) ADAGEN_ALWAYS {
+      if (quick && j != end) add_bare_link(w, reversed ? j + 1 : j, near);
+    });
+  });
+  if constexpr (reversed && high < last) each_inward<p, high + 1, last, true>(w, body, step);
+  if constexpr (!reversed && low > first) each_inward<p, first, low - 1, false>(w, body, step);
+}
+
 // Process p sweeps joints last .. first inwards, each on the link of the one before.
 template <int p, int first, int last, bool starts>
 void inward(Workspace& w) {
   Body<Value> X{};
-  constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick) meet<p>(w, last + 1, X);
-  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    if constexpr (!quick) meet<p>(w, j + 1, X);
+  each_inward<p, first, last, false>(w, X, [&](int j, auto kind, auto arrive) ADAGEN_ALWAYS {
     if constexpr (kWide) keep_body(w, single(j), X);
-    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
-      if (quick && j > first) add_bare_link(w, single(j - 1), near);
-    });
+    step_inward<false>(w, single(j), kind, X, arrive);
   });
   if constexpr (may_lose(first, last))
     if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, false>(w);
@@ -285,18 +318,12 @@ ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
 // The same for a root beyond joint last: from the parent link of joint first to the child of last.
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
-  constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick && leave_mass_alone(first, last) && !kWide)
+  if constexpr (bare<p>(first + 1, last) && leave_mass_alone(first, last) && !kWide)
     return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
   Body<Value> X{};
-  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+  each_inward<p, first, last, true>(w, X, [&](int j, auto kind, auto arrive) ADAGEN_ALWAYS {
     if constexpr (kWide) keep_body(w, single(j), X);
-    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
-      if (quick && j < last) add_bare_link(w, single(j), near);
-    });
+    step_inward<true>(w, single(j), kind, X, arrive);
   });
   if constexpr (may_lose(first, last))
     if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, true>(w);

@@ -170,17 +170,11 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, 
 // that saw how joints are eliminated in the end, which it did not where the sweep was repeated.
 template <int p, int first, int last, bool starts, class Follow>
 ADAGEN_INLINE bool inward_in_columns_with(Workspace& w, const Follow& follow) {
-  constexpr bool quick = bare<p>(first + 1, last);
   Columns X;
   Due due;
-  if constexpr (quick) meet<p>(w, last + 1, X);
-  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    if constexpr (!quick) meet<p>(w, j + 1, X);
+  each_inward<p, first, last, false>(w, X, [&](int j, auto kind, auto arrive) ADAGEN_ALWAYS {
     if constexpr (kWide) keep_body(w, single(j), settled(X, due));
-    step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
-      if (quick && j > first) add_bare_link(w, j, near);
-    });
+    step_inward<false>(w, j, kind, X, due, arrive);
     follow(j, kind);
   });
   settle(X, due);
@@ -204,17 +198,11 @@ void inward_in_columns(Workspace& w) {
 template <int p, int first, int last, bool starts>
 void inward_in_columns_reversed(Workspace& w) {
   if constexpr (!kInColumns) return inward_reversed<p, first, last, starts>(w);
-  constexpr bool quick = bare<p>(first + 1, last);
   Columns X;
   Due due;
-  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+  each_inward<p, first, last, true>(w, X, [&](int j, auto kind, auto arrive) ADAGEN_ALWAYS {
     if constexpr (kWide) keep_body(w, single(j), settled(X, due));
-    step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
-      if (quick && j < last) add_bare_link(w, j + 1, near);
-    });
+    step_inward<true>(w, j, kind, X, due, arrive);
   });
   settle(X, due);
   if constexpr (may_lose(first, last))

@@ -46,10 +46,10 @@ struct Limbs {
   }
 };
 
-template <const auto& limbs>
+template <const auto& limbs, int first = 0, int last = limbs.kRows - 1>
 struct LimbRows {
-  static constexpr int kCount = limbs.kRows;
-  static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) { return limbs.at(first + k).any().kind; }
 };
 
 constexpr int kMostNumbers = 27;  // of what is split into lanes or joined: a Body
@@ -128,13 +128,24 @@ ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X)
     add_bare_link(w, joints, X);
 }
 
-// Whether nothing but the links themselves is found between the limbs' joints.
+// Whether nothing but the links themselves is found beyond rows first .. last of limbs.
 template <int p, class L>
-constexpr bool bare_rows(const L& limbs) {
-  for (int k = 0; k + 1 < L::kRows; ++k)
+constexpr bool bare_rows(const L& limbs, int first, int last) {
+  for (int k = first; k <= last; ++k)
     for (const int joint : limbs.at(k).joint)
       if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
   return true;
+}
+
+// See end_of_piece.
+template <int p, class L>
+constexpr int end_of_rows(const L& limbs, int last) {
+  int more = 0;
+  for (int k = 0; k < last; ++k) more += !bare_rows<p>(limbs, k, k);
+  if (more >= kMostStretches) return 0;
+  int end = last;
+  while (end > 0 && bare_rows<p>(limbs, end - 1, end - 1)) --end;
+  return end;
 }
 
 // The same of a sweep of limbs.
@@ -147,20 +158,29 @@ constexpr bool may_lose(const L& limbs) {
 template <int p, const auto& limbs, class T>
 void inward_group_again(Workspace& w, Body<T>& X);
 
+// See each_inward.
+template <int p, const auto& limbs, int last, class T>
+ADAGEN_INLINE void take_inward(Workspace& w, Body<T>& X) {
+  constexpr int end = end_of_rows<p>(limbs, last);
+  constexpr bool quick = bare_rows<p>(limbs, end, last - 1);
+  if constexpr (quick) meet_group<p>(w, limbs.at(last), X);
+  each_row<LimbRows<limbs, end, last>, true>([&](int row, auto kind) ADAGEN_ALWAYS {
+    const int k = end + row;
+    if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
+    if constexpr (kWide) keep_body(w, limbs.at(k), X);
+    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
+      if (quick && k > end) add_bare_link(w, limbs.at(k - 1), near);
+    });
+  });
+  if constexpr (end > 0) take_inward<p, limbs, end - 1>(w, X);
+}
+
 // The bodies that the limbs add to the links before them.
 template <int p, const auto& limbs>
 auto inward_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   Body<T> X{};
-  constexpr bool quick = bare_rows<p>(limbs);
-  if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
-  each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
-    if constexpr (kWide) keep_body(w, limbs.at(k), X);
-    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
-      if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
-    });
-  });
+  take_inward<p, limbs, limbs.kRows - 1>(w, X);
   if constexpr (may_lose(limbs))
     if (__builtin_expect(w.lost, 0)) inward_group_again<p, limbs>(w, X);
   return X;
