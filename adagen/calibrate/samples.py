@@ -113,6 +113,10 @@ WAYS = (
     ("slides", "columns", (4,)),
     ("balls", "columns", (2,)),
     ("balls", "columns", (4,)),
+    ("beads", "columns", (2,)),
+    ("beads", "columns", (3,)),
+    ("beads", "columns", (4,)),
+    ("pearls", "each", ()),
 )
 """Robots, methods and numbers of limbs side by side: whatever the price of these would choose."""
 
@@ -249,6 +253,8 @@ def _robots() -> Iterator[Model]:
     yield robot("turned", chain(24), TURNED, 8)
     yield robot("slides", star(4, 6), ["revolute", *["prismatic"] * 24], 31)
     yield robot("balls", star(4, 4), ["revolute", *["spherical"] * 16], 32)
+    yield robot("beads", star(4, 12), ["revolute", *["spherical"] * 48], 39)
+    yield robot("pearls", chain(15), ["revolute", *["spherical"] * 14], 40)
     yield robot("track", chain(40), ["revolute", "prismatic", "spherical"], 33)
     yield robot("vine", chain(80), ["revolute", "spherical"], 36)
     yield robot("turns", chain(24), ["spherical"], 34)
