@@ -14,7 +14,6 @@ from adagen.executor.machine import Machine
 from adagen.executor.state import Refining
 from adagen.graph import Operations, count_operations, uses_of
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Step
 from adagen.plan.turns import by_turns
 from adagen.plan.types import Plan
 
@@ -58,14 +57,6 @@ class Simulated:
         """Number of operations of an evaluation in this process."""
         machine = self.machine
         return count_operations(machine.graph, machine.roots(), self.uses, self.alive)
-
-
-def _done(machine: Machine, step: Step) -> bool:
-    """Execute a step; return whether it need not wait for a message."""
-    try:
-        return machine.step(step)
-    except KeyError as missing:
-        raise PlanError(f"{step} reads {missing}, which this process does not have") from None
 
 
 def each_for_itself(
@@ -223,8 +214,12 @@ def _after_all_steps(plan: Plan, machines: Mapping[int, Machine]) -> dict[int, S
 
     def advance(p: int, k: int) -> bool:
         machine, place = machines[p], orders[p][k]
-        machine.graph.mark = place
-        moved = _done(machine, steps[p][place])
+        machine.graph.mark, step = place, steps[p][place]
+        try:
+            moved = machine.step(step)
+        except KeyError as missing:
+            lacks = f"{step} reads {missing}, which this process does not have"
+            raise PlanError(lacks) from None
         if moved:
             ends[p][place] = len(machine.graph.nodes)
         return moved

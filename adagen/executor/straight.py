@@ -26,9 +26,10 @@ def simulate(
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
+    limbs = grouping if grouping is not None and any(grouping) else None  # cached as without any
     if plan.reproducible and refining is None:
-        return shared_line(plan, grouping)
-    return each_for_itself(plan, grouping, refining)
+        return shared_line(plan, limbs)
+    return each_for_itself(plan, limbs, refining)
 
 
 def straight_line(plan: Plan, *, lanes: bool = True) -> tuple[Simulated, ...]:
@@ -41,22 +42,14 @@ def straight_line(plan: Plan, *, lanes: bool = True) -> tuple[Simulated, ...]:
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    return _simulated(plan, chosen_grouping(plan)) if lanes else simulate(plan)
-
-
-def _simulated(plan: Plan, grouping: Grouping | None) -> tuple[Simulated, ...]:
-    """The plan's processes in a grouping; cached without limbs."""
-    return simulate(plan, grouping) if grouping is not None and any(grouping) else simulate(plan)
+    return simulate(plan, chosen_grouping(plan) if lanes else None)
 
 
 def groupings(plan: Plan) -> list[Grouping]:
     """Return the groupings of a plan's straight lines that are compared; the first is none."""
-    offers = offered_groupings(plan) if not plan.reproducible else [_none(plan), own_limbs(plan)]
-    return list(dict.fromkeys(offers))
-
-
-def _none(plan: Plan) -> Grouping:
-    return tuple(() for _ in plan.processes)
+    if not plan.reproducible:
+        return offered_groupings(plan)
+    return list(dict.fromkeys([tuple(() for _ in plan.processes), own_limbs(plan)]))
 
 
 def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
@@ -87,4 +80,4 @@ def counted_stretches(
     """
     if not plan.reproducible:
         return stretches_of(plan, grouping, held)
-    return stretches_in(_simulated(plan, grouping), plan, held)
+    return stretches_in(simulate(plan, grouping), plan, held)

@@ -28,6 +28,8 @@ _OUTPUT = {
 }
 _PLACE = {"revolute": 20, "prismatic": 6, "planar": 32, "spherical": 75, "floating": 93}
 
+_OfJoint = do.Kinematics | do.Join | do.Disassemble | do.Articulate | do.Propagate | do.Deliver
+
 
 def operations(plan: Plan) -> int:
     """Return the operations of one evaluation, of all processes together."""
@@ -57,14 +59,7 @@ def _of(plan: Plan, step: Step) -> int:
             return _FACTORIZE[6] + 72 * columns
         case do.AccelerateRoot():
             return (_DENSE + 6) * columns
-        case (
-            do.Kinematics()
-            | do.Join()
-            | do.Disassemble()
-            | do.Articulate()
-            | do.Propagate()
-            | do.Deliver()
-        ):
+        case _ if isinstance(step, _OfJoint):
             return _of_joint(plan, step, columns)
         case do.Accelerate():
             n, m = _freedom(plan, step.joint)
@@ -75,11 +70,7 @@ def _of(plan: Plan, step: Step) -> int:
             return 0
 
 
-def _of_joint(
-    plan: Plan,
-    step: do.Kinematics | do.Join | do.Disassemble | do.Articulate | do.Propagate | do.Deliver,
-    columns: int,
-) -> int:
+def _of_joint(plan: Plan, step: _OfJoint, columns: int) -> int:
     n, m = _freedom(plan, step.joint)
     grounded = plan.joints[step.joint].parent == 0
     match step:

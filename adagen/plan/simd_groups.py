@@ -352,12 +352,8 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
         _row_of(process, parts, do.Accelerate),
     ]
     turned = {s.joint for s in process.steps_of(do.Articulate, do.Accelerate) if s.reversed}
-    apart = (
-        do.Propagate,
-        do.Deliver,
-        do.HoldBack,
-        do.CarryRows,
-    )  # closures go side by side as a whole
+    # Closures go side by side as a whole.
+    apart = do.Propagate, do.Deliver, do.HoldBack, do.CarryRows
     between = {s.joint for s in process.steps if isinstance(s, apart)}
     bare = {step.link for step in process.steps_of(do.StartLink)} - placed_links(plan)
     return {

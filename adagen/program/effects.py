@@ -48,6 +48,7 @@ class Effects:
     alters: tuple[Place, ...] = ()
 
 
+_OfJoint = do.Kinematics | do.FreeBase | do.FreeAcceleration | do.SolveCoupling | do.ApplyCoupling
 _OfLink = (
     do.LinkBias
     | do.StartLink
@@ -84,13 +85,7 @@ def effects(plan: Plan, process: int, step: Step, runs: Mapping[int, tuple[int, 
             return _disassemble(step, runs[step.joint])
         case do.Articulate() | do.Propagate() | do.Deliver() | do.Accelerate():
             return _across(plan, step)
-        case (
-            do.Kinematics()
-            | do.FreeBase()
-            | do.FreeAcceleration()
-            | do.SolveCoupling()
-            | do.ApplyCoupling()
-        ):
+        case _ if isinstance(step, _OfJoint):
             return _of_joint(plan, step)
         case _ if isinstance(step, ClosedStep):
             return _closed(plan, process, step)
@@ -120,10 +115,7 @@ def _output(plan: Plan, step: do.GiveOutput) -> Effects:
     return Effects((plan.mobility_of(output.link),))
 
 
-def _of_joint(
-    plan: Plan,
-    step: do.Kinematics | do.FreeBase | do.FreeAcceleration | do.SolveCoupling | do.ApplyCoupling,
-) -> Effects:
+def _of_joint(plan: Plan, step: _OfJoint) -> Effects:
     match step:
         case do.Kinematics(j):
             moving = _moving(("velocity", plan.joints[j].parent))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from adagen.emit.forces import passive_torques
 from adagen.emit.joints.joins import bias_updates, block_updates, coupling_torques, store
 from adagen.emit.joints.kinematics import configuration, velocity
@@ -29,50 +31,65 @@ def rows_of(symbols: Symbols, join: FusedJoin) -> list[tuple[int, int, int]]:
     return rows
 
 
-def assembly(symbols: Symbols, join: FusedJoin) -> list[str]:
-    """Eq. (3)-(7) of the run: its motions, then as for any joint in its coordinates."""
-    lines = [named(symbols, join)]
-    for j, first, count in rows_of(symbols, join):
-        joint, memory = symbols.plan.joints[j], symbols.memory(j)
-        slaved = [] if joint.mimic is None else [configuration(symbols, j)[1]]
-        lines += [
-            "{",
-            *(f"  {line}" for line in slaved),
-            f"  extend<{symbols.type_of(j)}, {first}>(i.run, {memory}.X);",
-            f"  i.run.c += velocity_product<{symbols.type_of(j)}>"
-            f"({memory}.v, {velocity(symbols, j)});",
-            f"  std::array<std::array<Real, kColumns>, {count}> tau;",
-            f"  load_torque(w, {j}, {joint.v}, tau);",
-            *(f"  {line}" for line in coupling_torques(symbols, j, "tau")),
-            *(f"  {line}" for line in passive_torques(symbols, j, "tau")),
-            f"  place<{first}>(tau, i.joined.tau);",
-            "}",
-        ]
-    b_a = "w.ground" if join.a_bias is None else symbols.bias(join.a_bias)
-    return [
-        *lines,
-        *fused(symbols, join),
-        *joined(symbols, join, b_a, keeps_sum=bool(symbols.refine)),
-    ]
+def assembly(symbols: Symbols, join: FusedJoin, *, turned: bool = False) -> list[str]:
+    """Eq. (3)-(7) of the run: its motions, then as for any joint in its coordinates.
 
-
-def named(symbols: Symbols, join: FusedJoin) -> str:
-    """The line that names the run's memory."""
+    With ``turned`` in shape kernels, where the links before and beyond the run are in axes of the
+    base or in their own (adagen/kernels/fused.hpp).
+    """
     others = ", ".join(symbols.quoted_joint(j) for j in join.run[:-1])
-    return f"auto& i = {symbols.memory(join.joint)};  // one joint with {others}"
-
-
-def fused(symbols: Symbols, join: FusedJoin) -> list[str]:
-    """The lines that compute the coordinates of the run, and its distance from gimbal lock."""
+    lines = [f"auto& i = {symbols.memory(join.joint)};  // one joint with {others}"]
+    for j, first, count in rows_of(symbols, join):
+        kind, memory = symbols.type_of(j), symbols.memory(j)
+        if turned:
+            moved = [f"extend<{kind}, {first}>(i.run, own_transform(w, {j}));"]
+            acting = []
+        else:
+            slaved = symbols.plan.joints[j].mimic is not None
+            product = f"velocity_product<{kind}>({memory}.v, {velocity(symbols, j)})"
+            moved = [
+                *configuration(symbols, j)[1:] * slaved,
+                f"extend<{kind}, {first}>(i.run, {memory}.X);",
+                f"i.run.c += {product};",
+            ]
+            acting = [*coupling_torques(symbols, j, "tau"), *passive_torques(symbols, j, "tau")]
+        lines += _driven(symbols, j, first, count, moved, acting)
     joints = [symbols.plan.joints[j] for j in join.run]
     length = run_length(joints, symbols.plan.links[join.joint + 1])
-    return [
+    lines += [
         f"if (!fuse(i.run, Real({1.0 / length!r}))) fail(w, kGimbalLock, {join.joint});",
         f"if (i.run.lock < kNearLock) w.near_lock = {join.joint + 1};",
     ]
+    if turned and join.a_bias is not None:
+        lines.append(f"i.run.BX = for_expressed(w, {joints[0].parent}, i.run.BX);")
+    ground = "kGround" if turned else "w.ground"
+    b_a = ground if join.a_bias is None else symbols.bias(join.a_bias)
+    return lines + _joined(symbols, join, b_a, keeps_sum=bool(symbols.refine) and not turned)
 
 
-def joined(symbols: Symbols, join: FusedJoin, b_a: str, *, keeps_sum: bool = False) -> list[str]:
+def _driven(
+    symbols: Symbols,
+    j: int,
+    first: int,
+    count: int,
+    moved: Iterable[str] = (),
+    acting: Iterable[str] = (),
+) -> list[str]:
+    """The torques of a joint in its rows of a run, behind lines on its motion.
+
+    What else acts on it adds to them.
+    """
+    lines = [
+        *moved,
+        f"std::array<std::array<Real, kColumns>, {count}> tau;",
+        f"load_torque(w, {j}, {symbols.plan.joints[j].v}, tau);",
+        *acting,
+        f"place<{first}>(tau, i.joined.tau);",
+    ]
+    return ["{", *(f"  {line}" for line in lines), "}"]
+
+
+def _joined(symbols: Symbols, join: FusedJoin, b_a: str, *, keeps_sum: bool) -> list[str]:
     """Eq. (3)-(7) in the coordinates of the run.
 
     Args:
@@ -98,13 +115,13 @@ def joined(symbols: Symbols, join: FusedJoin, b_a: str, *, keeps_sum: bool = Fal
         f"if (!join(i.joined, {phi_a}, Phi_B, i.run.BX * {b_a}, "
         f"i.run.B * {symbols.bias(join.b_bias)}, i.run.c))",
         f"  fail(w, kFactorization, {join.joint});",
-        *(couple(symbols, coupling) for coupling in join.couplings),
+        *(_couple(symbols, coupling) for coupling in join.couplings),
         *block_updates(symbols, join),
         *bias_updates(symbols, join),
     ]
 
 
-def couple(symbols: Symbols, coupling: Coupling) -> str:
+def _couple(symbols: Symbols, coupling: Coupling) -> str:
     """The line of the coupling between a handle and the run."""
     transposed = ".transpose()" if coupling.transposed else ""
     frame = "BX" if coupling.side == "A" else "B"
@@ -115,14 +132,8 @@ def couple(symbols: Symbols, coupling: Coupling) -> str:
 def reassembly(symbols: Symbols, join: FusedJoin) -> list[str]:
     """The same for other biases, and the missing torques of its joints."""
     lines = []
-    for j, first, count in rows_of(symbols, join):
-        lines += [
-            "{",
-            f"  std::array<std::array<Real, kColumns>, {count}> tau;",
-            f"  load_torque(w, {j}, {symbols.plan.joints[j].v}, tau);",
-            f"  place<{first}>(tau, i.joined.tau);",
-            "}",
-        ]
+    for row in rows_of(symbols, join):
+        lines += _driven(symbols, *row)
     b_a = "w.ground" if join.a_bias is None else symbols.bias(join.a_bias)
     b_b = f"i.run.B * {symbols.bias(join.b_bias)}"
     return [
@@ -132,8 +143,13 @@ def reassembly(symbols: Symbols, join: FusedJoin) -> list[str]:
     ]
 
 
-def released(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str]:
-    """Eq. (8) of the run, and Eq. (10), its force on the last link, where that is needed."""
+def disassembly(
+    symbols: Symbols, join: FusedJoin, end: Disassemble, *, turned: bool = False
+) -> list[str]:
+    """Eq. (8)-(10) of the run: accelerations of its joints, and forces on its ends.
+
+    With ``turned``, as of ``assembly``.
+    """
     lines = [
         f"auto& i = {symbols.memory(join.joint)};",
         f"Release<{type_of(symbols, join)}> release(i.joined);",
@@ -145,32 +161,18 @@ def released(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str]:
         lines.append("const Columns6 f = i.run.B.transpose() * release.force();  // Eq. (8), (10)")
     else:
         lines.append("release.force();  // Eq. (8)")
-    return lines
-
-
-def disassembly(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str]:
-    """Eq. (8)-(10) of the run: accelerations of its joints, and forces on its ends."""
-    lines = released(symbols, join, end)
     if symbols.refine:
-        lines.append(f"w.refinement.f[{join.joint}] = f;")
+        side = ".col(w.refinement.side)" * turned
+        lines.append(f"w.refinement.f[{join.joint}]{side} = f;")
     for j, first, count in rows_of(symbols, join):
         qdd = f"part<{first}, {count}>(release.qdd())"
-        if symbols.plan.slaved:
+        if symbols.plan.slaved and not turned:
             lines.append(f"{symbols.memory(j)}.qdd = {qdd};  // Eq. (9)")
         else:
             lines.append(f"{store(symbols, j, qdd)}  // Eq. (9)")
-    return lines + felt(symbols, end, "i.run.X.transposed_times(f)")
-
-
-def felt(symbols: Symbols, end: Disassemble, on_a: str) -> list[str]:
-    """The lines that apply the run's force to its ends.
-
-    Args:
-        symbols: the C++ names of the plan's joints, links and buffers.
-        end: of the run.
-        on_a: the opposite of the force on its first link.
-    """
-    lines = []
+    on_a = "i.run.X.transposed_times(f)"
+    if turned:
+        on_a = f"to_expressed(w, {symbols.plan.joints[join.run[0]].parent}, {on_a})"
     for update in end.updates:
         change = f"- {on_a}" if update.side == "A" else "+ f"
         acting = "Columns6::Zero()" if update.source is None else symbols.force(update.source)

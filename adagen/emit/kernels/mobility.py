@@ -11,9 +11,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from adagen.emit import forces
-from adagen.emit.joints import joins
+from adagen.emit.joints import fused, joins
 from adagen.emit.joints.fused import freedoms, type_of
-from adagen.emit.kernels import fused
 from adagen.emit.symbols import Symbols
 from adagen.plan import Plan
 from adagen.plan import steps as do
@@ -179,7 +178,7 @@ def lines_of(symbols: Symbols, p: int, step: Step) -> list[str]:
 
 def _assembly(symbols: Symbols, step: do.Join) -> list[str]:
     if isinstance(step, do.FusedJoin):
-        return fused.assembly(symbols, step)
+        return fused.assembly(symbols, step, turned=True)
     turned = replace(step, velocity_product=False)
     return [
         f"auto& i = {symbols.memory(step.joint)};",
@@ -191,7 +190,7 @@ def _assembly(symbols: Symbols, step: do.Join) -> list[str]:
 def _disassembly(symbols: Symbols, step: do.Disassemble) -> list[str]:
     join = next(one for one in symbols.plan.steps_of(do.Join) if one.joint == step.joint)
     if isinstance(join, do.FusedJoin):
-        return fused.disassembly(symbols, join, step)
+        return fused.disassembly(symbols, join, step, turned=True)
     lines = joins.disassembly(symbols, join, step, turned=True)
     if is_free_base(symbols.plan.joints[step.joint]):
         lines.append(f"as_joint_acceleration<{step.joint}>(w);")

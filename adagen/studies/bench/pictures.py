@@ -116,6 +116,14 @@ def microseconds(axis: Any) -> None:
     axis.set_minor_formatter(NullFormatter())
 
 
+def logarithmic(axes: Any, ticks: Sequence[int]) -> None:
+    """Make both axes logarithmic, with some numbers below."""
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xticks(ticks, [str(n) for n in ticks], minor=False)
+    axes.xaxis.set_minor_formatter(NullFormatter())
+
+
 def boxes(record: Record) -> Figure | None:
     """Return box plots of the rounds' medians, a group for each robot but chains."""
     timed = [m for m in record.models if any(rows_of(m))]
@@ -179,11 +187,7 @@ def against_joints(record: Record) -> Figure | None:
             points = [(joints, row.median) for joints, row in rows]
             label = _label(key, (row for _, row in rows))
             axes.plot(*zip(*points, strict=True), "o-", color=colour, label=label, markersize=4)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    joints = [m.joints for m in chains]
-    axes.set_xticks(joints, [str(n) for n in joints], minor=False)
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    logarithmic(axes, [m.joints for m in chains])
     microseconds(axes.yaxis)
     axes.set_xlabel("joints")
     axes.set_ylabel("µs")

@@ -8,9 +8,8 @@ from typing import Any
 
 import matplotlib as mpl
 from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter
 
-from adagen.studies.bench.pictures import SERIES, STYLE, figure_of, microseconds, saved
+from adagen.studies.bench.pictures import SERIES, STYLE, figure_of, logarithmic, microseconds, saved
 from adagen.studies.bench.scale_record import CLOCK, PREDICTED, STRETCHES, BatchRow, Scale
 
 COLOURS = ("#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#333333", "#999999")
@@ -63,7 +62,7 @@ def against_joints(scale: Scale) -> Figure:
         label, colour = SERIES["pinocchio"]
         _line(axes, peers, label, colour, colour)
     axes.plot([], [], ":", color="#555555", linewidth=1, label="ideal: P=1 divided by P")
-    _logarithmic(axes, scale.joints)
+    logarithmic(axes, scale.joints)
     microseconds(axes.yaxis)
     axes.set_xlabel("joints")
     axes.set_ylabel("µs (fastest evaluation)")
@@ -91,7 +90,7 @@ def of_batches(scale: Scale) -> Figure:
             words = f"{row.hosts} host{'s' if row.hosts > 1 else ''}"
             place = row.processes, row.distributed
             axes.annotate(words, place, (0, -12), textcoords="offset points", fontsize=7.5)
-    _logarithmic(axes, sorted({row.processes for row in scale.batches}))
+    logarithmic(axes, sorted({row.processes for row in scale.batches}))
     axes.set_xlabel("processes")
     axes.set_ylabel("states per second")
     axes.legend(frameon=False, fontsize=9)
@@ -117,11 +116,3 @@ def _line(
         *zip(*points, strict=True), form, color=colour, mfc=face, label=label, markersize=4.5
     )
     line.set_gid(label)
-
-
-def _logarithmic(axes: Any, ticks: Sequence[int]) -> None:
-    """Make both axes logarithmic, with some numbers below."""
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xticks(ticks, [str(n) for n in ticks], minor=False)
-    axes.xaxis.set_minor_formatter(NullFormatter())

@@ -10,11 +10,11 @@ from adagen.studies.bench.scale_record import PREDICTED, STRETCHES, Scale, Scale
 TIMES = ("joints", "P", "us", "saved", "ideal", "predicted", "off", "at speed", "residual")
 """Heads of ``times``: what is saved and the ideal are shares of the time on one process."""
 BATCHES = ("hosts", "P", "own states/s", "distributed/s", "limited by")
-NOTE = (
-    "us: the fastest evaluation of all turns; ≈: from stretches of computing. Off: measured "
-    "beside predicted; at speed: beside what is predicted for cores as fast as the one on which "
-    "the chain was timed on one process."
+_MARKS = (
+    "≈: from stretches of computing. Off: measured beside predicted; at speed: beside what is "
+    "predicted for cores as fast as the one on which the chain was timed on one process."
 )
+NOTE = f"us: the fastest evaluation of all turns; {_MARKS}"
 _ALONE = ("joints", "generate, s", "compile, s", "source, kB", "us", "ns a joint", "× the shortest")
 _SHARED = ("joints", "P", "meeting", "generate, s", "compile, s", *TIMES[2:8])
 
@@ -75,9 +75,7 @@ def _head(scale: Scale) -> Iterator[str]:
     yield (
         f"{rules.rounds} rounds by turns, {rules.repeat} evaluations of each of 64 random states "
         "in a turn; the fastest evaluation. Seconds are of the processor; a program that was in "
-        "the cache took none to compile. ≈: from stretches of computing. Off: measured beside "
-        "predicted; at speed: beside what is predicted for cores as fast as the one on which the "
-        "chain was timed on one process."
+        f"the cache took none to compile. {_MARKS}"
     )
     yield ""
 
