@@ -22,6 +22,7 @@ from adagen.plan.parts import pairs_of, parts_of, released_first, swept_first
 from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import Bias, Block, Force, Spread, Step
 from adagen.schedule import Node, Schedule, postorder, preorder
+from adagen.schedule.segment_costs import carried_couplings
 
 
 @dataclass
@@ -262,17 +263,13 @@ def mobility_steps(name: int, component: Component) -> tuple[list[Step], set[tup
     if component.root > 0 and not component.handles:
         return [do.SolveRoot(component.root)], couplings
     steps: list[Step] = []
-    reached: list[int] = []  # links whose coupling with later ones is kept, in order
     if component.root > 0:
         block, bias = Block(name, component.root, component.root), Bias(name, component.root)
         steps.append(do.InvertRoot(component.root, block, bias))
-        reached.append(component.root)
-    anchors = _anchors(component)
-    handles = set(component.handles)
-    for place, edge in enumerate(component.path):
-        kept = [g for g in reached if g in handles or place < anchors.get(g, -1)]
-        spreads = _spreads(name, edge, kept, couplings)
-        couplings.update((min(s.handle, edge.far), max(s.handle, edge.far)) for s in spreads)
+    ends = [(edge.near, edge.far) for edge in component.path]
+    carried = carried_couplings(ends, component.root, set(component.handles))
+    for edge, kept in zip(component.path, carried, strict=True):
+        couplings.update((min(g, edge.far), max(g, edge.far)) for g in kept)
         ground = edge.near == 0
         steps.append(
             do.Propagate(
@@ -282,32 +279,14 @@ def mobility_steps(name: int, component: Component) -> tuple[list[Step], set[tup
                 None if ground else Block(name, edge.near, edge.near),
                 Bias(name, edge.far),
                 None if ground else Bias(name, edge.near),
-                tuple(spreads),
+                tuple(_spread(name, edge, g) for g in kept),
             )
         )
-        if edge.far in handles or edge.far in anchors:
-            reached.append(edge.far)
     return steps, couplings
 
 
-def _spreads(
-    name: int, edge: Edge, kept: list[int], couplings: set[tuple[int, int]]
-) -> list[Spread]:
-    """Couplings of links with earlier handles, carried outwards over one edge."""
-    spreads = []
-    for g in kept:
-        near = (min(g, edge.near), max(g, edge.near))
-        if g == edge.near or near in couplings:
-            far = Block(name, min(g, edge.far), max(g, edge.far))
-            spreads.append(Spread(g, far, edge.far > g, Block(name, *near), near[0] != edge.near))
-    return spreads
-
-
-def _anchors(component: Component) -> dict[int, int]:
-    """Links where paths to handles branch, and the index in the path of the last branch."""
-    last: dict[int, int] = {}
-    count: dict[int, int] = {}
-    for place, edge in enumerate(component.path):
-        last[edge.near] = place
-        count[edge.near] = count.get(edge.near, 0) + 1
-    return {link: place for link, place in last.items() if link > 0 and count[link] > 1}
+def _spread(name: int, edge: Edge, g: int) -> Spread:
+    """The coupling of a link with an earlier one, carried outwards over an edge."""
+    near = (min(g, edge.near), max(g, edge.near))
+    far = Block(name, min(g, edge.far), max(g, edge.far))
+    return Spread(g, far, edge.far > g, Block(name, *near), near[0] != edge.near)

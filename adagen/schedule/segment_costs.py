@@ -12,7 +12,7 @@ from collections.abc import Collection, Mapping, Sequence
 from itertools import accumulate
 from typing import NamedTuple
 
-from adagen.schedule.chains import Chain, Chains, Outwards
+from adagen.schedule.chains import Chain, Chains
 from adagen.schedule.costs import PRESCRIBED, StepCosts, block_rows
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.topology import Topology
@@ -369,30 +369,37 @@ def way_between(chains: Chains, root: int, handles: Sequence[int], above: int = 
     joints = {p for link in (*handles, root) for p in chains.above(link, top)}
     edges = chains.outwards(sorted(joints, key=lambda p: chains.original[p]), [root])
     loaded = {near for _, near, _ in edges} | set(handles)
-    spreads = _spreads(edges, root, set(handles))
+    ends = [(near, far) for _, near, far in edges]
+    spreads = sum(map(len, carried_couplings(ends, root, set(handles))))
     return Way(root, tuple(p for p, _, _ in edges), turned, spreads, len(loaded - {0}))
 
 
-def _spreads(edges: Sequence[Outwards], root: int, handles: set[int]) -> int:
-    """Return how many couplings are carried outwards.
+def carried_couplings(
+    ends: Sequence[tuple[int, int]], root: int, handles: Collection[int]
+) -> list[list[int]]:
+    """Return for each joint the links whose coupling is carried outwards across it.
 
-    Kept are those with handles, and with links where the path parts until its last branch.
+    Kept are couplings with handles, and with links where the path parts until its last branch.
+
+    Args:
+        ends: near and far link of the joints between a root and handles, outwards.
+        root: the link that they start from; 0 is the ground, which is coupled with none.
+        handles: these links.
     """
     last: dict[int, int] = {}
     count: dict[int, int] = {}
-    for place, (_, near, _) in enumerate(edges):
+    for place, (near, _) in enumerate(ends):
         last[near] = place
         count[near] = count.get(near, 0) + 1
     anchors = {link: place for link, place in last.items() if link and count[link] > 1}
     reached = [root] if root else []
     coupled = {(g, g) for g in reached}
-    spreads = 0
-    for place, (_, near, far) in enumerate(edges):
-        for g in reached:
-            kept = g in handles or place < anchors.get(g, -1)
-            if kept and (g == near or (g, near) in coupled):
-                spreads += 1
-                coupled |= {(g, far), (far, g)}
+    found: list[list[int]] = []
+    for place, (near, far) in enumerate(ends):
+        kept = (g for g in reached if g in handles or place < anchors.get(g, -1))
+        found.append([g for g in kept if g == near or (g, near) in coupled])
+        for g in found[-1]:
+            coupled |= {(g, far), (far, g)}
         if far in handles or far in anchors:
             reached.append(far)
-    return spreads
+    return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from adagen.emit.forces import passive_torques
-from adagen.emit.joints.joins import bias_updates, block_updates, coupling_torques, store
+from adagen.emit.joints.joins import bias_updates, block_updates, coupling_torques, released, store
 from adagen.emit.joints.kinematics import configuration, velocity
 from adagen.emit.symbols import Symbols
 from adagen.plan.fused_frame import run_length
@@ -150,13 +150,7 @@ def disassembly(
 
     With ``turned``, as of ``assembly``.
     """
-    lines = [
-        f"auto& i = {symbols.memory(join.joint)};",
-        f"Release<{type_of(symbols, join)}> release(i.joined);",
-    ]
-    for coupling, force in zip(join.couplings, end.forces, strict=True):
-        handle = symbols.links[coupling.handle]
-        lines.append(f"release.feel_{coupling.side}(i.at_{handle}, {symbols.force(force)});")
+    lines = released(symbols, type_of(symbols, join), join, end)
     if end.updates or symbols.refine:
         lines.append("const Columns6 f = i.run.B.transpose() * release.force();  // Eq. (8), (10)")
     else:

@@ -176,6 +176,15 @@ def bias_updates(symbols: Symbols, join: Join) -> list[str]:
     return lines
 
 
+def released(symbols: Symbols, kind: str, join: Join, end: Disassemble) -> list[str]:
+    """The lines that release a join of a C++ type and tell it the forces on C's handles."""
+    lines = [f"auto& i = {symbols.memory(join.joint)};", f"Release<{kind}> release(i.joined);"]
+    for coupling, force in zip(join.couplings, end.forces, strict=True):
+        handle = symbols.links[coupling.handle]
+        lines.append(f"release.feel_{coupling.side}(i.at_{handle}, {symbols.force(force)});")
+    return lines
+
+
 def disassembly(
     symbols: Symbols, join: Join, end: Disassemble, *, turned: bool = False
 ) -> list[str]:
@@ -184,11 +193,7 @@ def disassembly(
     With ``turned``, the child link's part is not in the joint's frame: see ``assembly``.
     """
     j = join.joint
-    kind = forces.joined_type(symbols, j)
-    lines = [f"auto& i = {symbols.memory(j)};", f"Release<{kind}> release(i.joined);"]
-    for coupling, force in zip(join.couplings, end.forces, strict=True):
-        handle = symbols.links[coupling.handle]
-        lines.append(f"release.feel_{coupling.side}(i.at_{handle}, {symbols.force(force)});")
+    lines = released(symbols, forces.joined_type(symbols, j), join, end)
     joint = symbols.plan.joints[j]
     if symbols.refine and turned:
         lines.append("const Columns6 f = release.force();  // Eq. (8), (10)")
