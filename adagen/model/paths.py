@@ -22,6 +22,16 @@ def joints_on_links(joints: Sequence[HasParent]) -> tuple[tuple[int, ...], ...]:
     return tuple(map(tuple, found))
 
 
+def last_beyond(joints: Sequence[HasParent]) -> list[int]:
+    """Return the last joint beyond each one, itself included; joints are in depth-first order."""
+    last = list(range(len(joints)))
+    for j in reversed(range(len(joints))):
+        near = joints[j].parent - 1
+        if near >= 0:
+            last[near] = max(last[near], last[j])
+    return last
+
+
 def path_to_ground(joints: Sequence[HasParent], link: int) -> list[int]:
     """Return the joints from a link inwards to the ground."""
     found = []

@@ -12,6 +12,7 @@ from functools import cache, lru_cache
 from itertools import groupby
 from typing import TypeVar
 
+from adagen.model.paths import last_beyond
 from adagen.plan import steps as do
 from adagen.plan.robot import PlanJoint
 from adagen.plan.stages import Stage, stages
@@ -98,7 +99,7 @@ def simd_groupings(
     plan: Plan, process: Process, saved: Saving, offered: Iterable[Iterable[int]] = OFFERED
 ) -> list[list[Limbs]]:
     """Return the same for each of some counts."""
-    joints, last, pools = plan.joints, _last_beyond(plan.joints), _chains(plan, process)
+    joints, last, pools = plan.joints, last_beyond(plan.joints), _chains(plan, process)
 
     @cache  # first of all the same ones are offered for all counts
     def offers(chains: Chains) -> list[_Offer]:
@@ -168,7 +169,7 @@ def more_alike(
         found: the limbs that it takes side by side.
         unlike: how unlike each other limbs are.
     """
-    last, result = _last_beyond(plan.joints), list(found)
+    last, result = last_beyond(plan.joints), list(found)
     for pool in _chains(plan, process):
         for k in range(len(result)):
             while result[k].rows[-1][0] in {j for c in pool for j in c}:
@@ -327,15 +328,6 @@ def _hang_on(some: Limbs, others: Limbs, last: Sequence[int]) -> bool:
             if j <= i <= last[j]:
                 return True
     return False
-
-
-def _last_beyond(joints: Sequence[PlanJoint]) -> list[int]:
-    """The last joint beyond each one, itself included; joints are in depth-first order."""
-    last = list(range(len(joints)))
-    for j in reversed(range(len(joints))):
-        if joints[j].parent > 0:
-            last[joints[j].parent - 1] = max(last[joints[j].parent - 1], last[j])
-    return last
 
 
 def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, groupby
 
+from adagen.model.paths import joints_on_links, last_beyond
 from adagen.plan.edges import Edge, edges_from, is_base, joints_at
 from adagen.plan.gather_trees import Tree, held_links, moving_trees
 from adagen.plan.robot import PlanJoint
@@ -100,15 +101,7 @@ class Robot:
         for number, tree in enumerate(self.trees):
             for link in tree.links:
                 self.tree_of[link - 1] = number
-        self.last = list(range(len(joints)))
-        self.at: list[list[int]] = [[] for _ in range(len(joints) + 1)]
-        for j in reversed(range(len(joints))):
-            parent = joints[j].parent
-            self.at[parent].append(j)
-            if parent > 0:
-                self.last[parent - 1] = max(self.last[parent - 1], self.last[j])
-        for own in self.at:
-            own.reverse()
+        self.last, self.at = last_beyond(joints), joints_on_links(joints)
         self.held = held_links(joints)
         self.runs = runs(joints, (j for j, joint in enumerate(joints) if not is_base(joint)))
         self.long = [part for run in self.runs for part in self._long(run)]
