@@ -57,11 +57,19 @@ class Turn:
         return v
 
     def magnitudes(self, u: Array) -> Array:
-        """Return no less than the entries of the matrix times u, whatever the turn and signs."""
+        """Return no less than the entries of the matrix times u, whatever turn and signs.
+
+        Exact where axes only change places.
+        """
         (i, k, m), (a, b, c) = self.rows, self.columns
-        v = u.copy()
-        v[i] = v[k] = u[a].graph.larger(u[a], u[b])
+        (p, q, _, _), v = self.block, u.copy()
         v[m] = u[c]
+        if q.constant == 0:
+            v[i], v[k] = u[a], u[b]
+        elif p.constant == 0:
+            v[i], v[k] = u[b], u[a]
+        else:
+            v[i] = v[k] = u[a].graph.larger(u[a], u[b])
         return v
 
     def congruent(self, matrix: Array, symmetric: bool) -> Array:

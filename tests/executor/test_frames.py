@@ -41,3 +41,35 @@ def test_a_rigid_body_is_felt_as_any_other_for_less(oblique: bool) -> None:
     np.testing.assert_allclose(some, same, rtol=0, atol=1e-14)
     general, special = (count_operations(graph, list(one.flat)) for one in twice)
     assert special.multiply + special.add < 0.8 * (general.multiply + general.add)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_squares_turn_to_no_more_than_they_are_said_to(seed: int) -> None:
+    """Whatever the angle; where axes only change places, they change places, too."""
+    rng, graph, inputs = np.random.default_rng(seed), Graph(), dict[str, float]()
+    axes = np.eye(3)[:, rng.permutation(3)] * rng.choice([-1.0, 1.0], size=3)
+    axes = axes * np.linalg.det(axes)
+    slant, angle = rng.uniform(0.3, 1.2, size=2)
+    tilted = axes @ [
+        [1, 0, 0],
+        [0, np.cos(slant), -np.sin(slant)],
+        [0, np.sin(slant), np.cos(slant)],
+    ]
+    squares = rng.uniform(size=3)
+    u = given_as("u", squares, graph, inputs)
+    turn = about_z(*given_as("a", np.array([np.cos(angle), np.sin(angle)]), graph, inputs))
+    for base in (axes, tilted):
+        for own in (None, turn):
+            constants = np.array([[graph.constant(x) for x in row] for row in base], dtype=object)
+            rotation = placed(constants, own)
+            whole = np.array([rotation.vector(axis) for axis in _axes(graph)]).T
+            most = numbers(rotation.magnitudes(u), inputs)
+            true = numbers(whole * whole, inputs) @ squares
+            assert (most >= true - 1e-15).all()
+            if own is None and base is axes:
+                np.testing.assert_allclose(most, true)
+
+
+def _axes(graph: Graph) -> list[Any]:
+    """Unit vectors."""
+    return [np.array([graph.constant(x) for x in row], dtype=object) for row in np.eye(3)]
