@@ -23,7 +23,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
 from adagen.executor.shared_bound import Heard, parting, seen_with, spread_of, told
 from adagen.executor.state import State
-from adagen.executor.swept_records import levels
+from adagen.executor.swept_records import outermost
 from adagen.executor.swept_rows import SweptRows
 from adagen.graph import Expression, Factors, Graph, factorize, matrix_times, total
 from adagen.plan.certificate import ROUNDING, has_inner_root
@@ -164,9 +164,9 @@ class Certificate(Allowance):
             return
         if self._in_loop:
             self._sweep_in_loop()
-            inwards = [j for j in inwards if j not in self._in_loop]
         for j in inwards:
-            self._inwards(j)
+            if j not in self._in_loop:
+                self._inwards(j)
             body: Articulated = self.memory["articulated", j]
             with self.when_reached(j + 1):
                 for energy in body.u[:, 0] * body.moved[:, 0]:
@@ -177,16 +177,12 @@ class Certificate(Allowance):
                 self.answer.add(base, 1, self._energy_of_base(base))
 
     @cached_property
-    def _by_level(self) -> list[list[int]]:
+    def _in_loop(self) -> list[int]:
         """Joints whose rows a loop sweeps: the outermost ones, inwards."""
         if not self.rows_in_loop:
             return []
         inwards = [name[1] for name in self.memory if _is(name, "articulated")]
-        return levels(self.state.rows, inwards, self.rows_in_loop)
-
-    @cached_property
-    def _in_loop(self) -> list[int]:
-        return [j for level in self._by_level for j in level]
+        return outermost(self.state.rows, inwards, self.rows_in_loop)
 
     closed = False
 
@@ -208,14 +204,13 @@ class Certificate(Allowance):
 
     def _sweep_in_loop(self) -> None:
         """Have a loop sweep them; the links within gather what is left over."""
-        rows = SweptRows(self, self, self._by_level)
+        rows = SweptRows(self, self, self._in_loop)
         self.state.swept = rows.swept
-        seen, rounded, answer = rows.summed()
-        for sums, found in ((self.seen, seen), (self.rounded, rounded), (self.answer, answer)):
-            sums.add("loop", 1, found)
-        gather = rows.gather[1:]  # the ground comes first
+        seen, rounded, _ = rows.summed()
+        self.seen.add("loop", 1, seen)
+        self.rounded.add("loop", 1, rounded)
         masses = rows.masses() if self.bases else {}
-        for link in gather:
+        for link in rows.gather:
             left, noise, force = rows.gathered(link)
             self.memory["left", link] = self.memory["left", link] + left
             self.memory["noise", link] = self.memory["noise", link] + noise

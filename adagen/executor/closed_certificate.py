@@ -23,7 +23,7 @@ from adagen.executor.front import End, Front
 from adagen.executor.repeatable import Repeatable
 from adagen.executor.residuals import Energies, Residuals
 from adagen.executor.segments import Articulated
-from adagen.executor.swept_records import levels
+from adagen.executor.swept_records import outermost
 from adagen.executor.swept_rows import SweptRows
 from adagen.graph import Expression, Graph, factorize, total
 from adagen.plan.arms import WideUnknown
@@ -106,11 +106,11 @@ class ClosedCertificate(Allowance):
         inwards = self._hinges() if asked and isinstance(self.state.graph, Graph) else []
         if not inwards:
             return
-        by_level = levels(self.state.rows, inwards, asked)
+        looped = outermost(self.state.rows, inwards, asked)
         residual = self.corrections.current
-        self.loop = loop = SweptRows(self, self, by_level)
+        self.loop = loop = SweptRows(self, self, looped)
         self.state.swept = loop.swept
-        self._in_loop = {j for level in by_level for j in level}
+        self._in_loop = set(looped)
         assert isinstance(residual.left, Residuals)
         residual.left.in_loop = frozenset(self._in_loop)
         for j in self._in_loop:
@@ -118,7 +118,7 @@ class ClosedCertificate(Allowance):
             if self.holds(j):
                 p[2, 0], _ = loop.held(j)
             residual.memory["pA", j + 1] = p
-        for link in loop.gather[1:]:
+        for link in loop.gather:
             left, noise, _ = loop.gathered(link)
             residual.memory["pA", link] = residual.memory["pA", link] + left[:, None]
             self.memory["noise", link] = self.memory["noise", link] + noise

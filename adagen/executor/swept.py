@@ -3,7 +3,7 @@
 A record is for joints that are swept together, one in each lane. Its numbers are ``FIELDS``, each
 in as many lanes as all records have. The first ``GATHERED`` of them are what links beyond hand on;
 they begin with the wrench that the field takes of the link itself. Links whose residuals no loop
-sweeps, the ground and others, gather in shorter records, which are zero before.
+sweeps gather in shorter records, which are zero before.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from adagen.executor.swept_records import Pass
 from adagen.graph import Expression
 
 Array = NDArray[Any]
@@ -23,10 +24,10 @@ GATHERED = 13
 """Numbers that a link gathers: wrench (6), squares (4), force that its motion takes (3)."""
 SQUARES, FORCE, ACCELERATION, ACROSS = 6, 10, 13, 19
 """Which of them are the first square and force, and the first acceleration and factor behind."""
-INVERSE, FORCED, TORQUE, MOMENT, SQUARE = 24, 25, 26, 27, 28
-FIELDS = 29
-"""Numbers of a record: gathered ones, acceleration (6), D^-1 U across the joint (5), 1 / D, u of
-the evaluation, and the torque; then the moment along the joint that is left, and the square of all
+INVERSE, TORQUE, MOMENT, SQUARE = 24, 25, 26, 27
+FIELDS = 28
+"""Numbers of a record: gathered ones, acceleration (6), D^-1 U across the joint (5), 1 / D, and the
+torque; then the moment along the joint that is left, and the square of all
 that came together there, which the loop leaves for joints that hold."""
 CONSTANTS = 33
 """Constants of a record: moments and products of inertia about the origin (6), mass times centre
@@ -47,19 +48,18 @@ class SweptRow:
         joints: by lanes; None in lanes without one.
         place: of their numbers in the line's memory.
         angles: their places among angles, by lanes; None in lanes without a joint.
-        hands_on: lanes, from the first on, some of which hand something on; none where all near
-            links are the ground.
-        aligned: whether what the near links gather lies in the same lanes of another record.
-        near: places of what the near links gather, by lanes; the ground's where nothing counts.
+        passes: what it hands on; nothing where all near links are the ground.
+        next: whether that is all to the next record, lane by lane.
+        added: whether squares and forces are added to its numbers, by others or the line.
         constants: shape (CONSTANTS, lanes).
     """
 
     joints: tuple[int | None, ...]
     place: int
     angles: tuple[int | None, ...]
-    hands_on: int
-    aligned: bool
-    near: tuple[int, ...]
+    passes: tuple[Pass, ...]
+    next: bool
+    added: bool
     constants: Array
 
 
@@ -74,7 +74,8 @@ class Swept:
         left: what is to be in memory: its place, its value, and the lanes that it fills. The rest
             is zero, also in lanes without a joint, and stays so.
         gathered: where records of links begin that only gather; they end at ``sums``.
-        sums: place of the squared residual error, the allowance in units, and the answer's energy.
+        sums: place of the squared residual error, the allowance in units, and the energy of the
+            answer of robots with closed loops.
         places: size of the memory.
         floats: whether forces are handed on, for a floating base.
         closed: whether some joints hold, and the energy of the answer is that of the links.
@@ -94,8 +95,8 @@ class Swept:
     def operations(self) -> int:
         """How many operations the sweep takes, about."""
         each = _OPERATIONS + _OF_FORCE * self.floats + _OF_LINKS * self.closed
-        apart = sum(row.hands_on for row in self.rows if not row.aligned)
-        handed = GATHERED if self.floats else FORCE  # one by one where lanes part
+        handed = GATHERED if self.floats else FORCE
+        apart = sum(len(row.passes) for row in self.rows if not row.next)
         return each * len(self.rows) + handed * apart
 
     def first_places(self) -> dict[int, int]:

@@ -24,7 +24,6 @@ from adagen.executor.swept import (
     CONSTANTS,
     FIELDS,
     FORCE,
-    FORCED,
     GATHERED,
     INVERSE,
     KEPT,
@@ -35,7 +34,7 @@ from adagen.executor.swept import (
     Swept,
     SweptRow,
 )
-from adagen.executor.swept_records import Record, records
+from adagen.executor.swept_records import Pass, Record, passes, records
 from adagen.graph import Expression
 
 Array = NDArray[Any]
@@ -71,92 +70,99 @@ class SweptRows:
     Args:
         certificate: whose residuals they are.
         residual: what these begin with.
-        by_level: joints that rows are named by, see ``levels``.
+        looped: rows that are swept, see ``outermost``.
 
     Attributes:
         swept: what the line leaves.
     """
 
-    def __init__(
-        self, certificate: Allowance, residual: Residual, by_level: Sequence[Sequence[int]]
-    ) -> None:
+    def __init__(self, certificate: Allowance, residual: Residual, looped: Sequence[int]) -> None:
         self.certificate, self.residual, self.state = certificate, residual, certificate.state
-        self.by_level, rows = by_level, self.state.rows
-        self._lanes, found = records(rows, by_level)
+        self.looped, rows = looped, self.state.rows
+        self._lanes, found = records(rows, looped)
         size = FIELDS * self._lanes
         self._places = {
             j + 1: k * size + lane for k, record in enumerate(found) for j, lane in record
         }
-        near = (rows.name_of(link) for level in by_level for j in level for link in self._near(j))
-        #: links that no loop sweeps and that gather from those that it does; the ground first
-        self.gather = [link for link in dict.fromkeys([0, *near]) if link not in self._places]
+        near = (rows.name_of(link) for j in looped for link in self._near(j) if link)
+        #: links that no loop sweeps and that gather from those that it does
+        self.gather = [link for link in dict.fromkeys(near) if link not in self._places]
         end = len(found) * size
         for k, link in enumerate(self.gather):
             self._places[link] = end + k * GATHERED * self._lanes
         sums = end + len(self.gather) * GATHERED * self._lanes
         self._left: list[tuple[int, Expression, int]] = []
-        table, floats = tuple(map(self._record, found)), bool(certificate.bases)
-        count = sum(map(len, by_level))
+        self._added = set[int]()  # places of records that others add to, or the line's squares
+        table = tuple(map(self._record, found, [*found[1:], []]))
+        floats = bool(certificate.bases)
         left, closed = tuple(self._left), residual.closed
-        self.swept = Swept(self._lanes, table, count, left, end, sums, sums + 3, floats, closed)
+        self.swept = Swept(
+            self._lanes, table, len(looped), left, end, sums, sums + 3, floats, closed
+        )
 
     def _near(self, j: int) -> list[int]:
         """The near links of a row, those of idle lanes left out."""
         rows = self.state.rows
-        return [link for link in rows.near_links(j)[: len(rows.own(j))] if link]
+        return rows.near_links(j)[: len(rows.own(j))]
 
-    def _record(self, record: Record) -> SweptRow:
-        """Leave the numbers of a record."""
-        rows, lanes = self.state.rows, self._lanes
-        (first, lane), *_ = record
-        place, ground = self._places[first + 1] - lane, self._places[0]
+    def _record(self, record: Record, following: Record) -> SweptRow:
+        """Leave the numbers of a record, which comes before another or none."""
+        rows, lanes, place = self.state.rows, self._lanes, self._place(record)
         joints, angles = list[int | None]([None] * lanes), list[int | None]([None] * lanes)
-        near, constants = [ground] * lanes, self.state.zeros(CONSTANTS, lanes)
-        hands_on = 0
+        constants, handed = self.state.zeros(CONSTANTS, lanes), list[tuple[int, int]]()
         for j, lane in record:
             width = len(rows.lanes(j))
             self._leave(j)
             joints[lane : lane + width] = rows.lanes(j)
             angles[lane : lane + width] = self._angles(j)
             constants[:, lane : lane + width] = self._constants(j)
-            links = rows.near_links(j)[: len(rows.own(j))]
-            near[lane : lane + len(links)] = [self._gathers(link) for link in links]
-            if any(links):
-                hands_on = max(hands_on, lane + len(links))
-        beside = near[lane] - lane
-        aligned = beside % lanes == 0 and all(
-            self._places_beside(j) and near[lane] == beside + lane for j, lane in record
-        )
-        near = [beside + lane for lane in range(lanes)] if aligned else near
-        inside = tuple(joints), place, tuple(angles), hands_on, aligned
-        return SweptRow(*inside, tuple(near), constants)
+            near = enumerate(self._near(j), start=lane)
+            handed += [(lane, self._gathers(link)) for lane, link in near if link]
+        own = passes(handed, lanes)
+        goes_on = bool(following) and self._goes_on(record, own, following)
+        self._added.update(each.near for each in own if not goes_on)
+        added = place in self._added
+        return SweptRow(tuple(joints), place, tuple(angles), own, goes_on, added, constants)
 
-    def _places_beside(self, j: int) -> bool:
-        """Whether the joints of a row hand on to a row in the same lanes."""
-        rows = self.state.rows
-        links, count = rows.near_links(j), len(rows.own(j))
-        return any(links) and rows.as_kept(links) and len(set(links[:count])) == count
+    def _place(self, record: Record) -> int:
+        (first, lane), *_ = record
+        return self._places[first + 1] - lane
+
+    def _goes_on(self, record: Record, own: Sequence[Pass], following: Record) -> bool:
+        """Whether all of a record is handed on to the next one, lane by lane.
+
+        What idle lanes hand on besides does not matter in lanes that are idle, too.
+        """
+        if len(own) != 1 or not own[0].straight or own[0].near != self._place(following):
+            return False
+        rows, handed = self.state.rows, set(own[0].sources) - {None}
+        lanes, others = (
+            {lane + k for j, lane in each for k in range(len(rows.own(j)))}
+            for each in (record, following)
+        )
+        idle = {lane + k for j, lane in record for k in range(len(rows.lanes(j)))} - lanes
+        return lanes == handed and idle.isdisjoint(others)
 
     def _leave(self, j: int) -> None:
         """Leave the numbers of a row."""
         rows, memory, graph = self.state.rows, self.state.memory, self.state.graph
         width, count = len(rows.lanes(j)), len(rows.own(j))
         numbers = dict(enumerate(self.residual.wrench_at(j + 1)))
-        some = dict(enumerate(self.residual.squares_at(j + 1), start=SQUARES))
-        some |= dict(enumerate(memory["a", j + 1][:, 0], start=ACCELERATION))
+        numbers |= dict(enumerate(self.residual.squares_at(j + 1), start=SQUARES))
+        numbers |= dict(enumerate(memory["a", j + 1][:, 0], start=ACCELERATION))
         numbers[TORQUE] = self.residual.torque_at(j)
         if not self.residual.holds(j):
             body: Articulated = memory["articulated", j]
             inverse = body.factors.inverses[0]
             if count < width:  # a lane that repeats another adds nothing
                 inverse = inverse * graph.constant((1,) * count + (0,) * (width - count))
-            some |= dict(enumerate(body.scaled[0, _ACROSS], start=ACROSS))
-            some[INVERSE] = inverse
-            if not self.residual.closed:
-                some[FORCED] = body.u[0, 0]
-        numbers |= {k: x for k, x in some.items() if x.constant != 0}
-        for k, x in sorted(numbers.items()):
-            self._left.append((self._places[j + 1] + k * self._lanes, x, width))
+            numbers |= dict(enumerate(body.scaled[0, _ACROSS], start=ACROSS))
+            numbers[INVERSE] = inverse
+        left = {k: x for k, x in sorted(numbers.items()) if x.constant != 0}
+        first = self._places[j + 1]
+        self._left += [(first + k * self._lanes, x, width) for k, x in left.items()]
+        if not left.keys().isdisjoint(range(SQUARES, FORCE)):
+            self._added.add(first - first % self._lanes)
 
     def _angles(self, j: int) -> list[int]:
         """The places of a row's angles, by lanes."""
@@ -168,8 +174,6 @@ class SweptRows:
 
     def _gathers(self, link: int) -> int:
         """The place of what a link gathers, in its lane."""
-        if link == 0:
-            return self._places[0]
         row = self.state.rows.row_at(link)
         lane = 0 if row is None else row.lanes.index(link - 1)
         return self._places[self.state.rows.name_of(link)] + lane
@@ -222,17 +226,16 @@ class SweptRows:
     def masses(self) -> dict[int, Array]:
         """Return the masses that links which gather carry by joints in the loop, shape (1,)."""
         rows, memory = self.state.rows, self.state.memory
-        looped = [j for level in self.by_level for j in level]
-        for j in looped:
+        for j in self.looped:
             memory["mass", j + 1] = np.array([rows.mass(j + 1)], dtype=object)
-        memory.update({("mass", link): self.state.zeros(1) for link in self.gather[1:]})
-        for j in looped:
+        memory.update({("mass", link): self.state.zeros(1) for link in self.gather})
+        for j in self.looped:
             if any(rows.near_links(j)):
                 rows.hand_on("mass", j, memory["mass", j + 1])
-        return {link: memory["mass", link] for link in self.gather[1:]}
+        return {link: memory["mass", link] for link in self.gather}
 
     def summed(self) -> list[Expression]:
-        """Return squared residual error, allowance in units, and energy of the answer."""
+        """Return squared residual error, allowance in units, and energy by links (closed)."""
         return [self._given(self.swept.sums + k) for k in range(3)]
 
     def _given(self, place: int, width: int = 1) -> Expression:

@@ -106,9 +106,19 @@ def test_rows_as_far_from_the_ground_share_records() -> None:
     assert swept.floats and swept.closed
     joints = [j for row in swept.rows for j in row.joints if j is not None]
     assert sorted(joints) == list(range(1, len(plan.joints)))
-    assert [row.aligned for row in swept.rows].count(False) == 2
+    assert [row.next for row in swept.rows].count(False) == 2
     for row in swept.rows:
-        assert all(near > row.place for near in row.near[: row.hands_on])
+        assert all(each.near > row.place for each in row.passes)
+
+
+def test_rows_that_do_not_wait_for_each_other_share_records() -> None:
+    """Arms that are longer than legs, and a head that has time: as many records as joints."""
+    plan = _in_loop(_model("talos on both feet"))
+    swept = _swept(plan)
+    assert (swept.lanes, swept.count, len(swept.rows)) == (4, 18, 10)
+    joints = [j for row in swept.rows for j in row.joints if j is not None]
+    assert sorted(joints) == list(range(1, len(plan.joints)))
+    assert [row.next for row in swept.rows].count(False) == 3
 
 
 def test_links_within_gather_in_all_their_lanes() -> None:

@@ -14,6 +14,7 @@ from adagen.build.toolchain import STANDARD
 from adagen.cost import programmed
 from adagen.emit import emit, stem_of
 from adagen.executor import Swept, chosen_grouping, simulate
+from adagen.executor.swept_records import passes
 from adagen.model import PRISMATIC, REVOLUTE, Model, Passive
 from adagen.plan import Plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import looped
@@ -171,9 +172,9 @@ def test_a_loop_takes_the_outermost_rows() -> None:
         places = [row.place for row in swept.rows]
         assert places == sorted(places)
         for row in swept.rows:
-            assert all(near > row.place for near in row.near)
-        assert {row.hands_on for row in swept.rows[:-1]} <= {1}
-        assert swept.rows[-1].hands_on == (0 if rows >= 6 else 1)
+            assert all(each.near > row.place for each in row.passes)
+        assert all(row.next and len(row.passes) == 1 for row in swept.rows[:-1])
+        assert len(swept.rows[-1].passes) == (rows < 6)
 
 
 def test_lanes_that_part_have_their_price() -> None:
@@ -181,11 +182,19 @@ def test_lanes_that_part_have_their_price() -> None:
     (line,) = simulate(plan, chosen_grouping(plan))
     swept = line.machine.swept
     assert swept is not None and len(swept.rows) == 3
-    assert [row.aligned for row in swept.rows] == [True, True, False]
-    handed = [row.hands_on for row in swept.rows]
-    assert handed == [4, 4, 4]
+    assert [row.next for row in swept.rows] == [True, True, False]
+    assert [len(row.passes) for row in swept.rows] == [1, 1, 4]
     each = replace(swept, rows=swept.rows[:2]).operations / 2
     assert swept.operations == 3 * each + 4 * 13
+
+
+def test_lanes_are_handed_on_in_as_few_passes_as_can_be() -> None:
+    (one,) = passes([(0, 9), (1, 8), (3, 11)], 4)
+    assert (one.near, one.sources, one.straight) == (8, (1, 0, None, 3), False)
+    several = passes([(0, 10), (1, 10), (2, 10), (3, 11), (2, 16)], 4)
+    assert [each.near for each in several] == [8, 8, 8, 16]
+    assert several[0].sources == (None, None, 2, 3) and several[0].straight
+    assert {each.sources[2] for each in several[:3]} == {0, 1, 2}
 
 
 def test_which_robots_loops_sweep() -> None:

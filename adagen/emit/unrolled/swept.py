@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 
 from adagen.emit.unrolled.text import TYPES, Text
 from adagen.executor import Machine, Swept
+from adagen.executor.swept_records import Pass
 
 
 def kept_lines(machine: Machine, text: Text) -> dict[int, list[str]]:
@@ -35,7 +37,7 @@ def sweep_line(swept: Swept, p: int) -> str:
     """Return the line that sweeps residuals of process p."""
     kind = ", ".join([TYPES[swept.lanes], *(str(x).lower() for x in (swept.floats, swept.closed))])
     places = f"{swept.gathered}, {swept.sums}"
-    return f"sweep_rows<{kind}>(w, kSwept_{p}, kSweptConstants_{p}, {places});"
+    return f"sweep_rows<{kind}>(w, kSwept_{p}, kSweptPasses_{p}, kSweptConstants_{p}, {places});"
 
 
 def swept_values(swept: Swept | None, text: Text, zero: int) -> dict[str, object]:
@@ -51,14 +53,29 @@ def swept_values(swept: Swept | None, text: Text, zero: int) -> dict[str, object
     rows = []
     for row in swept.rows:
         angles = [zero if k is None else k for k in row.angles]
-        near = ", ".join(map(str, row.near))
-        beside = str(row.aligned).lower()
         places = ", ".join(map(str, angles))
-        rows.append(f"{{{row.place}, {row.hands_on}, {beside}, {{{places}}}, {{{near}}}}}")
+        flags = ", ".join(str(flag).lower() for flag in (row.next, row.added))
+        count = 0 if row.next else len(row.passes)
+        rows.append(f"{{{row.place}, {count}, {flags}, {{{places}}}}}")
     numbers = [
         [text.literal(x.node.value) for x in numbers]
         for row in swept.rows
         for numbers in row.constants
     ]
+    handed = [[] if row.next else row.passes for row in swept.rows]
+    passes = [_pass(each, own[k + 1 :]) for own in handed for k, each in enumerate(own)]
     count = swept.lanes * len(numbers)
-    return {"lanes": swept.lanes, "rows": rows, "constants": numbers, "constant_count": count}
+    return {
+        "lanes": swept.lanes,
+        "rows": rows,
+        "passes": passes,
+        "constants": numbers,
+        "constant_count": count,
+    }
+
+
+def _pass(each: Pass, others: Sequence[Pass]) -> str:
+    more = bool(others) and others[0].near == each.near
+    sources = ", ".join(str(k or 0) for k in each.sources)
+    counts = ", ".join(str(int(k is not None)) for k in each.sources)
+    return f"{{{each.near}, {str(more).lower()}, {{{sources}}}, {{{counts}}}}}"

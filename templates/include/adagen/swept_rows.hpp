@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "common.hpp"
@@ -12,16 +15,33 @@
 #include "sizes.hpp"
 #include "unrolled_wide.hpp"
 
+// Lines with such a loop are longer than an instruction cache: like ADAGEN_AS_IT_STANDS, and what
+// is on the stack is reached by shorter instructions.
+#if defined(__clang__)
+#define ADAGEN_DENSE
+#else
+#define ADAGEN_DENSE __attribute__((optimize("no-tree-slp-vectorize", "no-omit-frame-pointer")))
+#endif
+
 namespace {
 
 // A record: joints whose residuals are swept together, one in each lane.
 template <int lanes>
 struct SweptRow {
-  int place;    // of their numbers in the workspace
-  int count;    // lanes that may have near links; none where all of these are the ground
-  bool beside;  // whether the near links are a record in the same lanes
+  int place;   // of their numbers in the workspace
+  int passes;  // in which they are handed on; none where all near links are the ground
+  bool next;   // whether all is handed on to the next record instead, lane by lane
+  bool added;  // whether squares and forces are added to its numbers, by others or the line
   std::array<short, lanes> angle;  // places among angles; of what is zero in lanes without a joint
-  std::array<int, lanes> near;     // where the near links' numbers begin, those of the ground, too
+};
+
+// What lanes of a record hand on to another one.
+template <int lanes>
+struct SweptPass {
+  int near;   // where the other one's numbers begin
+  bool more;  // whether the next pass is to the same one
+  std::array<std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t>, lanes> from;
+  std::array<Real, lanes> counts;  // 1 in lanes of the other one that take those of from, or 0
 };
 
 // Numbers of a row, in the order in which they lie in the workspace, kWidth<T> lanes each. Those
@@ -33,10 +53,9 @@ struct SweptNumber {
   static constexpr int kAcceleration = 13;
   static constexpr int kAcross = 19;   // D^-1 U but for the entry along the joint
   static constexpr int kInverse = 24;  // 1 / D, zero in lanes that repeat others
-  static constexpr int kMissing = 25;  // u of the evaluation
-  static constexpr int kTorque = 26;
-  static constexpr int kMoment = 27;  // for joints that hold: the moment along the joint, and
-  static constexpr int kSquare = 28;  // the square of all that came together there
+  static constexpr int kTorque = 25;
+  static constexpr int kMoment = 26;  // for joints that hold: the moment along the joint, and
+  static constexpr int kSquare = 27;  // the square of all that came together there
 };
 
 // Constants of a row likewise.
@@ -70,14 +89,6 @@ ADAGEN_INLINE void turn_swept(const T (&u)[3], const T (&turn)[3][3], T (&out)[3
   ADAGEN_FOR (k, 0, 3) out[k] = turn[k][2] * u[2] + turn[k][0] * u[0] + turn[k][1] * u[1];
 }
 
-// Zeros around a 1, which a load brings into any lane.
-template <int lanes>
-[[maybe_unused]] constexpr std::array<Real, static_cast<std::size_t>(2 * lanes - 1)> kOneLane = [] {
-  std::array<Real, static_cast<std::size_t>(2 * lanes - 1)> found{};
-  found[static_cast<std::size_t>(lanes - 1)] = 1;
-  return found;
-}();
-
 // One number for each lane.
 template <class T, std::size_t... lane>
 ADAGEN_INLINE T of_angles(const Real* from, const std::array<short, kWidth<T>>& places,
@@ -85,33 +96,46 @@ ADAGEN_INLINE T of_angles(const Real* from, const std::array<short, kWidth<T>>& 
   return T{from[places[lane]]...};
 }
 
-// Adds what lanes hand on to lanes of other records; those of one record follow each other.
+// Each lane's number from where it is said to be.
+template <class T>
+ADAGEN_INLINE T from_lanes(const T& x, const BitsOf<T>& from) {
+#if defined(__clang__)
+  T result = x;
+  ADAGEN_FOR (k, 0, kWidth<T>) result[k] = x[from[k]];
+  return result;
+#else
+  return __builtin_shuffle(x, from);
+#endif
+}
+
+// Adds what lanes hand on to those of another record, in several passes where they meet there.
 template <int gathered, class T>
-ADAGEN_INLINE void hand_on_apart(Real* const memory, const SweptRow<kWidth<T>>& row,
-                                 const T (&out)[SweptNumber::kAcceleration]) {
-  constexpr int W = kWidth<T>;
-  Real each[gathered * W];
-  ADAGEN_FOR (k, 0, gathered) put(out[k], each + k * W);
-  for (int lane = 0; lane < row.count;) {
-    const int place = row.near[static_cast<std::size_t>(lane)], first = place - place % W;
-    Real* const near = memory + first;
-    T sum[gathered];
-    ADAGEN_FOR (k, 0, gathered) sum[k] = load<T>(near + k * W);
-    int next = place;
-    do {
-      const T here = load<T>(kOneLane<W>.data() + (W - 1 - next % W));
-      ADAGEN_FOR (k, 0, gathered) sum[k] += here * each[k * W + lane];
-      next = ++lane < row.count ? row.near[static_cast<std::size_t>(lane)] : -1;
-    } while (next >= first && next < first + W);
-    ADAGEN_FOR (k, 0, gathered) put(sum[k], near + k * W);
+ADAGEN_INLINE const SweptPass<kWidth<T>>* hand_on(Real* const memory,
+                                                  const SweptPass<kWidth<T>>* pass,
+                                                  const T (&out)[SweptNumber::kAcceleration]) {
+  Real* const near = memory + pass->near;
+  T sum[gathered];
+  ADAGEN_FOR (k, 0, gathered) sum[k] = load<T>(near + k * kWidth<T>);
+  for (bool more = true; more; ++pass) {
+    more = pass->more;
+    const T counts = load<T>(pass->counts.data());
+    BitsOf<T> from;
+    std::memcpy(&from, pass->from.data(), sizeof from);
+    ADAGEN_FOR (k, 0, gathered) sum[k] += counts * from_lanes(out[k], from);
   }
+  ADAGEN_FOR (k, 0, gathered) put(sum[k], near + k * kWidth<T>);
+  return pass;
 }
 
 // Inwards: residuals of the links of a record, handed on through its joints, and their energy. What
 // is known of the links themselves is added up before what comes from beyond, which takes longer.
+//
+// handed: by the record before, and then by this one to the next.
 template <bool floats, bool closed, class T>
-ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row, const T& c,
-                             const T& s, const Real* const constant, SweptSums<T>& sums) {
+ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
+                             const SweptPass<kWidth<T>>* const passes, const T& c, const T& s,
+                             const Real* const constant, SweptSums<T>& sums,
+                             T (&handed)[SweptNumber::kAcceleration]) {
   using Number = SweptNumber;
   using Constant = SweptConstant;
   constexpr int W = kWidth<T>, gathered = floats ? Number::kAcceleration : Number::kForce;
@@ -119,6 +143,8 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
   const auto number = [own](int k) { return load<T>(own + k * W); };
   const auto known = [constant](int k) { return load<T>(constant + k * W); };
 
+  if (row.added)
+    ADAGEN_FOR (k, Number::kSquares, gathered) handed[k] += number(k);
   T moment[3], force[3], squares[4], field[3];
   {
     T energy{};
@@ -137,16 +163,16 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
       const T& with_m = k == 0 ? xz : k == 1 ? xy : yz;
       const T taken = known(Constant::kMoments + k) * alpha[k] + with_i * alpha[i] +
                       with_m * alpha[m] + centre[i] * a[m] - centre[m] * a[i];
-      moment[k] = number(Number::kWrench + k) + taken;
+      moment[k] = (number(Number::kWrench + k) + taken) + handed[Number::kWrench + k];
       const T pushed = mass * a[k] + alpha[i] * centre[m] - alpha[m] * centre[i];
-      force[k] = number(Number::kWrench + 3 + k) + pushed;
-      if constexpr (floats) field[k] = number(Number::kForce + k) + pushed;
+      force[k] = (number(Number::kWrench + 3 + k) + pushed) + handed[Number::kWrench + 3 + k];
+      if constexpr (floats) field[k] = handed[Number::kForce + k] + pushed;
       if constexpr (closed) energy += alpha[k] * taken + a[k] * pushed;
-      squares[k] = number(Number::kSquares + k) + moment[k] * moment[k];
+      squares[k] = handed[Number::kSquares + k] + moment[k] * moment[k];
     }
     if constexpr (closed) sums.answer += energy * known(Constant::kCounts);
   }
-  squares[3] = (number(Number::kSquares + 3) + force[0] * force[0]) +
+  squares[3] = (handed[Number::kSquares + 3] + force[0] * force[0]) +
                (force[1] * force[1] + force[2] * force[2]);
 
   const T torque = number(Number::kTorque), inverse = number(Number::kInverse);
@@ -160,17 +186,18 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
     along = holds ? squares[2] : along;
     put(moment[2], own + Number::kMoment * W);
     put(squares[2], own + Number::kSquare * W);
-  } else {
-    const T u = number(Number::kMissing);
-    sums.answer += u * u * inverse;
   }
   // The next evaluation begins with what its line leaves, and with nothing else, in no lane: what
   // is not finite may have come into all of them.
-  ADAGEN_FOR (k, 0, gathered) put(T{}, own + k * W);
-  if (row.count == 0) return;
+  if (row.added)
+    ADAGEN_FOR (k, 0, gathered) put(T{}, own + k * W);
+  if (row.passes == 0 && !row.next) {
+    ADAGEN_FOR (k, 0, gathered) handed[k] = T{};
+    return;
+  }
 
   // Turned about z, then as the joint is placed.
-  T turn[3][3], out[Number::kAcceleration], turned[3], moved[3];
+  T turn[3][3], turned[3], moved[3];
   ADAGEN_FOR (k, 0, 3) {
     const T x = known(Constant::kPlacement + 3 * k), y = known(Constant::kPlacement + 3 * k + 1);
     turn[k][0] = c * x + s * y;
@@ -186,33 +213,33 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
   const T across = larger_of(squares[0], squares[1]);
   ADAGEN_FOR (k, 0, 3) {
     const int i = (k + 1) % 3, m = (k + 2) % 3;
-    out[Number::kWrench + k] = turned[k] + known(Constant::kOrigin + i) * moved[m] -
-                               known(Constant::kOrigin + m) * moved[i];
-    out[Number::kWrench + 3 + k] = moved[k];
+    handed[Number::kWrench + k] = turned[k] + known(Constant::kOrigin + i) * moved[m] -
+                                  known(Constant::kOrigin + m) * moved[i];
+    handed[Number::kWrench + 3 + k] = moved[k];
     const T from =
         larger_of(T(across * known(Constant::kAcross + k)), T(along * known(Constant::kAlong + k)));
-    out[Number::kSquares + k] = from + known(Constant::kLevers + k) * squares[3];
+    handed[Number::kSquares + k] = from + known(Constant::kLevers + k) * squares[3];
   }
-  out[Number::kSquares + 3] = squares[3];
+  handed[Number::kSquares + 3] = squares[3];
   if constexpr (floats) {
     turn_swept(field, turn, turned);
-    ADAGEN_FOR (k, 0, 3) out[Number::kForce + k] = turned[k];
+    ADAGEN_FOR (k, 0, 3) handed[Number::kForce + k] = turned[k];
   }
-  if (row.beside) {
-    Real* const near = memory + row.near[0];
-    ADAGEN_FOR (k, 0, gathered) put(T(load<T>(near + k * W) + out[k]), near + k * W);
-    return;
-  }
-  hand_on_apart<gathered>(memory, row, out);
+  if (row.next) return;
+  for (const auto* pass = passes; pass < passes + row.passes;)
+    pass = hand_on<gathered>(memory, pass, handed);
+  ADAGEN_FOR (k, 0, gathered) handed[k] = T{};
 }
 
 // Sweeps the residuals of records inwards; other links gather what these hand on. In robots with
 // closed loops some joints hold, and the energy of the answer is found link by link.
 //
 // gathered: where what they gather begins, up to the sums: the squared error that shows, the
-// allowance for rounding in squares of units, and the answer's energy.
-template <class T, bool floats, bool closed, std::size_t rows, std::size_t numbers>
+// allowance for rounding in squares of units, and, of links, the answer's energy.
+template <class T, bool floats, bool closed, std::size_t rows, std::size_t count,
+          std::size_t numbers>
 ADAGEN_NOINLINE void sweep_rows(Workspace& w, const std::array<SweptRow<kWidth<T>>, rows>& swept,
+                                const std::array<SweptPass<kWidth<T>>, count>& passes,
                                 const std::array<Real, numbers>& constants, int gathered,
                                 int sums) {
   constexpr int W = kWidth<T>, step = SweptConstant::kAll * W;
@@ -220,17 +247,20 @@ ADAGEN_NOINLINE void sweep_rows(Workspace& w, const std::array<SweptRow<kWidth<T
   Real* const memory = w.x.data();
   std::fill(memory + gathered, memory + sums, Real(0));
   SweptSums<T> found{};
+  T handed[SweptNumber::kAcceleration]{};
   const Real* constant = constants.data();
+  const SweptPass<W>* pass = passes.data();
   constexpr auto lanes = std::make_index_sequence<kWidth<T>>{};
   for (const SweptRow<W>& row : swept) {
     const T c = of_angles<T>(w.cosine.data(), row.angle, lanes);
     const T s = of_angles<T>(w.sine.data(), row.angle, lanes);
-    sweep_row<floats, closed>(memory, row, c, s, constant, found);
+    sweep_row<floats, closed>(memory, row, pass, c, s, constant, found, handed);
     constant += step;
+    pass += row.passes;
   }
   memory[sums] = across<W>(found.seen);
   memory[sums + 1] = across<W>(found.rounded);
-  memory[sums + 2] = across<W>(found.answer);
+  if constexpr (closed) memory[sums + 2] = across<W>(found.answer);
 }
 
 }  // namespace
