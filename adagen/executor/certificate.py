@@ -198,13 +198,9 @@ class Certificate(Allowance):
         """Return the torque of a hinge."""
         return self._given(j, 1)[0]  # type: ignore[no-any-return]
 
-    def holds(self, _: int) -> bool:
-        """Return whether a joint holds, which none does where there are no closures."""
-        return False
-
     def _sweep_in_loop(self) -> None:
         """Have a loop sweep them; the links within gather what is left over."""
-        rows = SweptRows(self, self, self._in_loop)
+        rows = SweptRows(self, self._in_loop)
         self.state.swept = rows.swept
         seen, rounded, _ = rows.summed()
         self.seen.add("loop", 1, seen)

@@ -93,10 +93,6 @@ class ClosedCertificate(Allowance):
         """Return the torque of a hinge, less what its rotor and couplings take."""
         return self.corrections.current.torques(j)[0, 0]  # type: ignore[no-any-return]
 
-    def holds(self, j: int) -> bool:
-        """Return whether the acceleration of a joint is an unknown of a closure."""
-        return ("articulated", j) not in self.memory
-
     def begin(self, step: Step) -> None:
         """Have a loop sweep the outermost rows; the links within gather what is left over."""
         if self._begun or not isinstance(step, Articulate | HoldBack | Eliminate | SolveRoot):
@@ -108,14 +104,14 @@ class ClosedCertificate(Allowance):
             return
         looped = outermost(self.state.rows, inwards, asked)
         residual = self.corrections.current
-        self.loop = loop = SweptRows(self, self, looped)
+        self.loop = loop = SweptRows(self, looped)
         self.state.swept = loop.swept
         self._in_loop = set(looped)
         assert isinstance(residual.left, Residuals)
         residual.left.in_loop = frozenset(self._in_loop)
         for j in self._in_loop:
             p = self.state.zeros(6, 1)
-            if self.holds(j):
+            if loop.holds(j):
                 p[2, 0], _ = loop.held(j)
             residual.memory["pA", j + 1] = p
         for link in loop.gather:

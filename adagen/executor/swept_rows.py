@@ -9,15 +9,16 @@ sums are those of certificate.py and closed_certificate.py, to rounding.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.allowance import Allowance
 from adagen.executor.frames import Transform
+from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
+from adagen.executor.state import State
 from adagen.executor.swept import (
     ACCELERATION,
     ACROSS,
@@ -43,13 +44,16 @@ _ACROSS = [0, 1, 3, 4, 5]  # entries of a wrench that a hinge passes on
 _WAIT = 60  # cycles that a record takes, about
 
 
-class Residual(Protocol):
-    """What the residuals of links and joints begin with, in a certificate.
+class Certificate(Protocol):
+    """A certificate (allowance.py), and what residuals of links and joints begin with in it."""
 
-    Joints hold where closures have their accelerations for unknowns: they pass on all of a wrench.
-    """
-
+    state: State
+    motion: Motion
+    bases: list[int]
     closed: bool
+
+    def square(self, numbers: Iterable[Expression]) -> Expression:
+        """Return the sum of squares."""
 
     def wrench_at(self, link: int) -> Array:
         """Return the wrench of a link but for what its acceleration takes, shape (6,)."""
@@ -60,24 +64,20 @@ class Residual(Protocol):
     def torque_at(self, j: int) -> Expression:
         """Return the torque of a joint that is left for the residual."""
 
-    def holds(self, j: int) -> bool:
-        """Return whether a joint holds."""
-
 
 class SweptRows:
     """Leaves what a loop sweeps, and takes what it gives.
 
     Args:
         certificate: whose residuals they are.
-        residual: what these begin with.
         looped: rows that are swept, see ``outermost``.
 
     Attributes:
         swept: what the line leaves.
     """
 
-    def __init__(self, certificate: Allowance, residual: Residual, looped: Sequence[int]) -> None:
-        self.certificate, self.residual, self.state = certificate, residual, certificate.state
+    def __init__(self, certificate: Certificate, looped: Sequence[int]) -> None:
+        self.certificate, self.state = certificate, certificate.state
         self.looped, rows = looped, self.state.rows
         self._lanes, found = records(rows, looped)
         size = FIELDS * self._lanes
@@ -95,7 +95,7 @@ class SweptRows:
         self._added = set[int]()  # places of records that others add to, or the line's squares
         table = tuple(map(self._record, found, [*found[1:], []]))
         floats = bool(certificate.bases)
-        left, closed = tuple(self._left), residual.closed
+        left, closed = tuple(self._left), certificate.closed
         self.swept = Swept(
             self._lanes, table, len(looped), left, end, sums, sums + 3, floats, closed
         )
@@ -147,11 +147,11 @@ class SweptRows:
         """Leave the numbers of a row."""
         rows, memory, graph = self.state.rows, self.state.memory, self.state.graph
         width, count = len(rows.lanes(j)), len(rows.own(j))
-        numbers = dict(enumerate(self.residual.wrench_at(j + 1)))
-        numbers |= dict(enumerate(self.residual.squares_at(j + 1), start=SQUARES))
+        numbers = dict(enumerate(self.certificate.wrench_at(j + 1)))
+        numbers |= dict(enumerate(self.certificate.squares_at(j + 1), start=SQUARES))
         numbers |= dict(enumerate(memory["a", j + 1][:, 0], start=ACCELERATION))
-        numbers[TORQUE] = self.residual.torque_at(j)
-        if not self.residual.holds(j):
+        numbers[TORQUE] = self.certificate.torque_at(j)
+        if not self.holds(j):
             body: Articulated = memory["articulated", j]
             inverse = body.factors.inverses[0]
             if count < width:  # a lane that repeats another adds nothing
@@ -191,7 +191,7 @@ class SweptRows:
             *x.origin,
             *map(self.certificate.square, arms),
             *self._turned(x),
-            graph.constant(int(self.residual.holds(j))),
+            graph.constant(int(self.holds(j))),
             graph.constant(1),
         ]
         found = state.zeros(CONSTANTS, width)
@@ -222,6 +222,13 @@ class SweptRows:
         first, width = self._places[j + 1], len(self.state.rows.lanes(j))
         moment, square = (self._given(first + k * self._lanes, width) for k in (MOMENT, SQUARE))
         return moment, square
+
+    def holds(self, j: int) -> bool:
+        """Return whether a joint holds: its acceleration is an unknown of a closure.
+
+        It passes on all of a wrench.
+        """
+        return ("articulated", j) not in self.state.memory
 
     def masses(self) -> dict[int, Array]:
         """Return the masses that links which gather carry by joints in the loop, shape (1,)."""
