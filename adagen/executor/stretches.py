@@ -2,7 +2,8 @@
 
 The statements are an expression graph, so the effect of a robot's structure is known exactly.
 Between two messages a process's statements are one stretch. Its time is the larger of the time of
-its operations and the time of its longest dependency chain, plus its sines and cosines. Where both
+its operations and the time of its longest dependency chain, plus its sines and cosines, where they
+are more than two registers of 256 bits hold: fewer are computed beside other work. Where both
 are about equal, neither hides the other completely: the time is the fourth root of the sum of their
 fourth powers. Where the process's line does not fit the first instruction cache, each statement
 costs more, as all of them are fetched in each evaluation.
@@ -19,6 +20,11 @@ from adagen.executor.swept import STATEMENTS
 from adagen.graph import Operations
 from adagen.plan.steps import Receive, Send, Step
 from adagen.schedule.costs import StepCosts
+
+AT_ONCE = {"double": 8, "float": 16}
+"""Angles that two registers of 256 bits hold, whose sines and cosines cost nothing that could be
+told (measured in double). More are taken by registers of 512 bits, which cost something from the
+first one on (templates/include/adagen/unrolled_sines.hpp)."""
 
 _COMPUTED = ("add", "sub", "mul", "multiply_add", "reciprocal")
 
@@ -120,13 +126,16 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
     if swept is not None:
         line += STATEMENTS
         work["unrolled.operation"] += swept.operations
+    angles = len(simulated.machine.angles)
+    if not isinf(held) and angles <= AT_ONCE[simulated.machine.plan.scalar]:
+        angles = 0
     computed = sum(sum(count.values()) for count in counts) or 1
     parts = []
     for k, (count, cycles) in enumerate(zip(counts, done, strict=True)):
         share = sum(count.values()) / computed
         features: dict[str, float] = {
             **{name: count * share for name, count in work.items()},
-            "unrolled.sine": len(simulated.machine.angles) if k == 0 else 0,
+            "unrolled.sine": angles if k == 0 else 0,
             "unrolled.cycle": cycles,
         }
         parts.append(Stretch(features, count, line))

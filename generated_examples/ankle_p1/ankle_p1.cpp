@@ -5,7 +5,7 @@
 // input     profile default, sha256 1dea1583c931100677162c1bea818b51f291a9dc997ab5a620aa9fe3c73a8ae6
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes ankle_p1.h
-// program   1 process; 0.117 us predicted (default profile)
+// program   1 process; 0.11 us predicted (default profile)
 //           process 0: left_motor .. left_ball | right_motor .. right_ball in 2 lanes, hip .. ankle_roll
 //
 // Closed loops: accelerations of their joints and constraint forces stay unknown until the last link that

@@ -4,7 +4,7 @@
 // input     profile default, sha256 1dea1583c931100677162c1bea818b51f291a9dc997ab5a620aa9fe3c73a8ae6
 // options   form ada (assembly-disassembly algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_unrolled_p2.h
-// program   2 processes, joined at cuts; 0.508 us predicted (default profile)
+// program   2 processes, joined at cuts; 0.5 us predicted (default profile)
 //           process 0: base_yaw .. wrist_pitch
 //           process 1: flange_roll .. right_finger_slide
 // schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from math import inf
 
 import numpy as np
 import pytest
@@ -55,12 +56,21 @@ def test_it_is_what_auto_emits(model: Model) -> None:
     (only,) = simulate(plan)
     ((part,),) = straight_stretches(programmed(plan, "unrolled"), 2500.0)
     found = part.features
-    assert found["unrolled.sine"] == len(model.joints)
+    assert found["unrolled.sine"] == 0  # no more than registers take beside other work
     assert found["unrolled.operation"] == only.operations.arithmetic - only.operations.fused
     costs = step_costs(unrolled__held=2500.0)
     expected = costs["unrolled.evaluation"] + part.time(costs)
     profile = step_profile((), unrolled__held=2500.0)
     assert predict(plan, profile, "unrolled").makespan == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(("joints", "held", "counted"), [(8, 0, 0), (9, 0, 9), (8, inf, 8)])
+def test_sines_that_fill_two_registers_are_free_but_in_batches(
+    joints: int, held: float, counted: int
+) -> None:
+    program = programmed(plan_of(arm(joints)), "unrolled")
+    ((part,),) = straight_stretches(program, held)
+    assert part.features["unrolled.sine"] == counted
 
 
 def test_its_stages_share_its_time_in_order() -> None:
@@ -84,7 +94,7 @@ def test_everything_else_goes_step_by_step() -> None:
 
 
 def test_a_slow_core_and_dear_operations_take_longer() -> None:
-    plan = plan_of(arm())
+    plan = plan_of(arm(9))
     base = predict(plan, step_profile(), "unrolled").makespan
     without = ("fetched", "held", "move", "fits", "cache")
     assert predict(plan, step_profile(cores=(0.5,)), "unrolled").makespan == pytest.approx(2 * base)
