@@ -7,8 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.calibrate.robots import robot
 from adagen.emit.shapes import SHAPES
+from adagen.executor.grouping import spared
 from adagen.plan import make_plan
+from adagen.plan.simd_groups import simd_groups
 from adagen.plan.steps import LinkBias, Propagate
 from adagen.states import random_states
 from tests.emitted import ROUNDING, Builder
@@ -45,6 +48,29 @@ def test_trees_with_bare_links_are_solved(
     assert any(isinstance(step, LinkBias) for step in steps)
     assert processes == 2 or passed & {"floating", "planar"}
     solver = builder.solver(plan, name="bare", shape="kernels")
+    states = random_states(model, 4, seed=9)
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
+
+
+@pytest.mark.parametrize("in_lanes", [False, True])
+@pytest.mark.parametrize("branches", [3, 9])  # a loop between each two of them, or one for all
+def test_branches_are_added_along_runs_and_limbs_in_lanes(
+    branches: int, in_lanes: bool, builder: Builder, tmp_path: Path
+) -> None:
+    parents = [0]
+    for _ in range(2):
+        near = 1
+        for _ in range(branches):
+            parents += [near, len(parents) + 1]
+            near = len(parents) - 1
+        parents.append(near)
+    kinds = ((branches + 1) * ["spherical", "revolute", "revolute"])[: 2 * branches + 1]
+    model = robot("combs", parents, ["revolute", *kinds, *kinds], 1)
+    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(1)))
+    (process,) = plan.processes
+    limbs = simd_groups(plan, process, spared, (2,) if in_lanes else ())
+    assert any(len(each.rows) > branches for each in limbs) == in_lanes
+    solver = builder.solver(plan, name="combs", shape="kernels", limbs=(tuple(limbs),))
     states = random_states(model, 4, seed=9)
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
