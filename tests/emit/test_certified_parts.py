@@ -63,7 +63,7 @@ def test_bounds_hold_and_are_of_use(model: Model, ways: list[Certified], quick: 
             assert np.median(one.bounds / (one.errors + whole.bounds)) < 100
 
 
-@pytest.mark.parametrize("k", all_but(range(6), 0, 1, 2, 3))  # those take longest to compile
+@pytest.mark.parametrize("k", all_but(range(6), 0, 1, 2, 3, 5))  # those take longest to compile
 def test_hard_chains_keep_their_bounds(k: int, quick: Toolchain) -> None:
     model = robots(k + 1, seed=12, families=[long_chains])[k]
     found = bounded(model, hard_states(model, 20, seed=3), [PARTS, LINE], quick)
