@@ -26,10 +26,10 @@ _VALUE, _MOVE, _LEFT = 6.2, 3.2, 8.0
 """Bytes of code for each value of a certified straight line, more for each move between lanes, and
 for each number that it leaves in memory for a loop: the first two within 5 % of those of robots of
 49 to 74 freedoms (docs/records/certificates.md)."""
-_HELD = 1.068
-"""Such bytes for each of the first instruction cache up to which it holds a line: where it has 64
-kB, talos with its hands has 68 thousand by this count, and 65 in fact, the next larger ones 73
-thousand by either."""
+_HELD = 0.98
+"""Such bytes for each of the first instruction cache up to which it holds a line. The count is 5 %
+too large for talos with its hands (68 thousand; a loop costs it 8 %) and 6 % too small for valkyrie
+held fixed (66 thousand), which takes 1.7 times the plain answer without a loop and 1.4 with one."""
 _AIMED_AT, _FUNCTION = 0.961, 2_000
 """Bytes for each of that cache that longer ones come to where a loop sweeps residuals, and those of
 the loop."""
