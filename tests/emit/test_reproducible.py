@@ -31,6 +31,7 @@ from tests.emitted import Builder, plan_of, text_of
 from tests.executor.test_lane_bits import affected, limbs
 from tests.gathered import distributed, reproducible_plan
 from tests.models import human_figure, serial_chain
+from tests.slow import slow
 
 FLAGS = (
     ("-O2", "-march=x86-64"),
@@ -102,16 +103,19 @@ def test_real_robots(robot: str, builder: Builder, shared: Path, tmp_path: Path)
             assert answer(other, plan, flags, model, tmp_path) == expected, flags
 
 
-def test_lanes_processes_and_processors(builder: Builder, tmp_path: Path) -> None:
+@pytest.mark.parametrize("every", [False, slow(True)])
+def test_lanes_processes_and_processors(every: bool, builder: Builder, tmp_path: Path) -> None:
     model = affected(limbs(4, REVOLUTE, REVOLUTE, trunk=1, beside=0))
     plan = reproducible_plan(model)
     expected = answer(builder, plan, ("-O1", "-march=x86-64"), model, tmp_path, limbs=((),))
     wide = ("-O1", "-march=native", "-ffp-contract=fast")
-    assert answer(builder, plan, wide, model, tmp_path) == expected
-    assert answer(builder, plan, wide, model, tmp_path, batch=1) == expected
     shares = reproducible_plan(model, distributed(model, 2, np.random.default_rng(2), core=0.0))
     assert any(len(own) for own in groupings(shares)[-1])
     assert answer(builder, shares, wide, model, tmp_path) == expected
+    if not every:
+        return
+    assert answer(builder, plan, wide, model, tmp_path) == expected
+    assert answer(builder, plan, wide, model, tmp_path, batch=1) == expected
     if shutil.which("clang++"):
         other = builder.with_compiler("clang++")
         assert answer(other, shares, CLANG_FLAGS[-1], model, tmp_path) == expected
