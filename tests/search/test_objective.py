@@ -251,10 +251,10 @@ def test_where_one_state_fails_the_others_are_tried_alone(monkeypatch: pytest.Mo
     plan = plan_of(model, 2)
     found, alone = predicted_digits("both", model, plan), interpret_refined
 
-    def failing(plan: Plan, q: Any, *rest: Any, steps: int) -> Refined:
+    def failing(plan: Plan, q: Any, v: Any, tau: Any, steps: int) -> Refined:
         if q.ndim > 1:
             raise FloatingPointError("factorization failed")
-        return alone(plan, q, *rest, steps=steps)
+        return alone(plan, q, v, tau, steps)
 
     monkeypatch.setattr("adagen.search.objective.interpret_refined", failing)
     assert predicted_digits("both", model, plan) == found
