@@ -195,7 +195,7 @@ class Certificate(Allowance):
         return self.pushed(link)
 
     def torque_at(self, j: int) -> Expression:
-        """Return the torque of a hinge."""
+        """Return the torque of a joint, less what its rotor takes."""
         return self._given(j, 1)[0]  # type: ignore[no-any-return]
 
     def _sweep_in_loop(self) -> None:

@@ -90,7 +90,7 @@ class ClosedCertificate(Allowance):
         return squares
 
     def torque_at(self, j: int) -> Expression:
-        """Return the torque of a hinge, less what its rotor and couplings take."""
+        """Return the torque of a joint, less what its rotor and couplings take."""
         return self.corrections.current.torques(j)[0, 0]  # type: ignore[no-any-return]
 
     def begin(self, step: Step) -> None:
@@ -98,11 +98,9 @@ class ClosedCertificate(Allowance):
         if self._begun or not isinstance(step, Articulate | HoldBack | Eliminate | SolveRoot):
             return
         self._begun = True
-        asked = max((step.looped for step in self.state.plan.steps_of(Certify)), default=0)
-        inwards = self._hinges() if asked and isinstance(self.state.graph, Graph) else []
-        if not inwards:
+        looped = self._outermost()
+        if not looped:
             return
-        looped = outermost(self.state.rows, inwards, asked)
         residual = self.corrections.current
         self.loop = loop = SweptRows(self, looped)
         self.state.swept = loop.swept
@@ -112,7 +110,7 @@ class ClosedCertificate(Allowance):
         for j in self._in_loop:
             p = self.state.zeros(6, 1)
             if loop.holds(j):
-                p[2, 0], _ = loop.held(j)
+                p[loop.along(j), 0], _ = loop.held(j)
             residual.memory["pA", j + 1] = p
         for link in loop.gather:
             left, noise, _ = loop.gathered(link)
@@ -122,29 +120,21 @@ class ClosedCertificate(Allowance):
         self.seen.add("loop", 1, seen)
         self.rounded.add("loop", 1, rounded)
 
-    def _hinges(self) -> list[int]:
-        """The rows of hinges that a loop may sweep: nothing but such hangs beyond them, inwards."""
-        rows, found = self.state.rows, list[int]()
+    def _outermost(self) -> list[int]:
+        """The rows of joints that a loop sweeps, beyond the tops of closures."""
+        asked = max((step.looped for step in self.state.plan.steps_of(Certify)), default=0)
+        if not asked or self.motion.rod_halves or not isinstance(self.state.graph, Graph):
+            return []  # numbers need none
         steps = self.corrections.in_order()
-        if self.motion.rod_halves:
-            return []
-        within = {step.link for step in self.corrections.steps if isinstance(step, Eliminate)}
-        for step in steps:
-            if not isinstance(step, Articulate | HoldBack):
-                continue
-            j = step.joint
-            joints = [self.state.plan.joints[each] for each in rows.own(j)]
-            hinged = all(joint.kind == "revolute" for joint in joints)
-            driven = isinstance(step, Articulate) and self.state.rotor(j) is not None
-            if hinged and not driven and within.isdisjoint(each + 1 for each in rows.own(j)):
-                found.append(j)
-            else:
-                within.update(rows.near_links(j))
-        return found
+        inwards = [step.joint for step in steps if isinstance(step, Articulate | HoldBack)]
+        tops = (step.link for step in self.corrections.steps if isinstance(step, Eliminate))
+        return outermost(self.state.rows, inwards, asked, tops)
 
     def _energy_in_loop(self, loop: SweptRows, energies: Energies, sums: Sums) -> None:
         """That of links in the loop, less free fall d: a^T I a - 2 d^T P + m d^T d."""
         sums.add("loop", 1, loop.summed()[2])
+        for j in sorted(self._in_loop):  # of masses that are set at run time
+            sums.add(self.run(j), self.count(j), loop.energy(j))
         masses = loop.masses() if self.bases else {}
         for link, (mass,) in masses.items():
             _, _, force = loop.gathered(link)
@@ -227,10 +217,10 @@ class ClosedCertificate(Allowance):
             self._hand_on(j, [], self.state.zeros(0), noise)
 
     def _held_noise(self, j: int) -> Array:
-        """Squares at a hinge that a loop sweeps, of which only those along it count here."""
+        """Squares at a joint that a loop sweeps, of which only those along it count here."""
         assert self.loop is not None
         noise = self.state.zeros(4)
-        _, noise[2] = self.loop.held(j)
+        _, noise[min(self.loop.along(j), 3)] = self.loop.held(j)
         return noise
 
     def _hand_on(self, j: int, free: list[int], given: Array, noise: Array) -> None:

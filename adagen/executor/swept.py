@@ -26,17 +26,22 @@ SQUARES, FORCE, ACCELERATION, ACROSS = 6, 10, 13, 19
 """Which of them are the first square and force, and the first acceleration and factor behind."""
 INVERSE, TORQUE, MOMENT, SQUARE = 24, 25, 26, 27
 FIELDS = 28
-"""Numbers of a record: gathered ones, acceleration (6), D^-1 U across the joint (5), 1 / D, and the
-torque; then the moment along the joint that is left, and the square of all
-that came together there, which the loop leaves for joints that hold."""
+"""Numbers of a record: gathered ones, acceleration (6), D^-1 U across the joint (5; the last one is
+of the force along a hinge, of the moment about a slide), 1 / D, and the torque, less what a rotor
+takes; then the moment (force) along the joint that is left, and the square of all that came
+together there, which the loop leaves for joints that hold; where joints slide, how far."""
+SHIFT = 28
 CONSTANTS = 33
 """Constants of a record: moments and products of inertia about the origin (6), mass times centre
-(3), mass, placement (9), origin (3), squares of lever arms (3), whether squares across the joint
-turn to be those about each axis (3), and those along it (3), whether the joint holds, and whether
-it is one of its own and repeats no other."""
+(3), mass, placement (9), origin (3), squares of lever arms (3), whether squares about x turn to be
+those about each axis (3), and those about z (3), whether the joint holds, and whether it is one of
+its own and repeats no other. Where joints slide, whether it does, and squares about y likewise (3);
+where rotors turn, the rotor's inertia."""
 _OPERATIONS, _OF_FORCE, _OF_LINKS = 90, 20, 12
 """Operations of a line that take as long as a record, within 2 % on an Intel Xeon; more where
 forces are handed on, and more where energy is links'."""
+_OF_SLIDES, _OF_ROTORS = 16, 2
+"""More of records in which joints slide, and of all where some have rotors."""
 STATEMENTS = 300
 """Statements of the function, whatever the number of records."""
 
@@ -52,7 +57,8 @@ class SweptRow:
         passes: what it hands on; nothing where all near links are the ground.
         next: whether that is all to the next record, lane by lane.
         added: whether squares and forces are added to its numbers, by others or the line.
-        constants: shape (CONSTANTS, lanes).
+        slides: whether one of the joints slides.
+        constants: shape (constants of each, lanes).
     """
 
     joints: tuple[int | None, ...]
@@ -61,6 +67,7 @@ class SweptRow:
     passes: tuple[Pass, ...]
     next: bool
     added: bool
+    slides: bool
     constants: Array
 
 
@@ -80,6 +87,8 @@ class Swept:
         places: size of the memory.
         floats: whether forces are handed on, for a floating base.
         closed: whether some joints hold, and the energy of the answer is that of the links.
+        slides: whether some joints slide.
+        rotors: whether some joints have rotors.
     """
 
     lanes: int
@@ -91,14 +100,18 @@ class Swept:
     places: int
     floats: bool
     closed: bool
+    slides: bool
+    rotors: bool
 
     @property
     def operations(self) -> int:
         """How many operations the sweep takes, about."""
         each = _OPERATIONS + _OF_FORCE * self.floats + _OF_LINKS * self.closed
+        each += _OF_ROTORS * self.rotors
         handed = GATHERED if self.floats else FORCE
         apart = sum(len(row.passes) for row in self.rows if not row.next)
-        return each * len(self.rows) + handed * apart
+        sliding = _OF_SLIDES * sum(row.slides for row in self.rows)
+        return each * len(self.rows) + sliding + handed * apart
 
     def first_places(self) -> dict[int, int]:
         """Return the first place of each value, by its index, that fills its lanes."""

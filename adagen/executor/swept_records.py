@@ -8,10 +8,11 @@ that it hangs on where it can: what is handed on then stays in its lane.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from adagen.executor.rows import Rows
+from adagen.plan.certificate import IN_LOOPS
 
 Record = list[tuple[int, int]]
 """Rows of joints by their names, each with its first lane."""
@@ -20,18 +21,30 @@ _WIDEST = 4
 an Intel Xeon (docs/records/certificates.md)."""
 
 
-def outermost(rows: Rows, inwards: Sequence[int], count: int) -> list[int]:
-    """Return the outermost rows, as many as are asked for, each behind those beyond it.
+def outermost(
+    rows: Rows, inwards: Sequence[int], count: int, tops: Iterable[int] = ()
+) -> list[int]:
+    """Return the outermost rows that a loop can sweep, each behind those beyond it.
+
+    These are rows of hinges and slides that nothing but such hangs on.
 
     Args:
         rows: of a process.
         inwards: the joints that rows are named by, each behind those beyond it.
-        count: how many; where there are fewer, all.
+        count: how many are asked for; where there are fewer, all.
+        tops: links that something else hangs on.
     """
+    able, within = list[int](), set(tops)
+    for j in inwards:
+        in_loop = rows.process.plan.joints[j].kind in IN_LOOPS
+        if in_loop and within.isdisjoint(each + 1 for each in rows.own(j)):
+            able.append(j)
+        else:
+            within.update(rows.near_links(j))
     depths = dict[int, int]()
-    for j in reversed(inwards):
+    for j in reversed(able):
         depths[j] = 1 + max((depths.get(each, 0) for each in _nearer(rows, j)), default=0)
-    return sorted(inwards, key=lambda j: -depths[j])[:count]
+    return sorted(able, key=lambda j: -depths[j])[:count]
 
 
 def records(rows: Rows, looped: Sequence[int]) -> tuple[int, list[Record]]:

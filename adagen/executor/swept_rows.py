@@ -1,4 +1,4 @@
-"""Residuals of hinges, swept inwards by a loop instead of statements.
+"""Residuals of hinges and slides, swept inwards by a loop instead of statements.
 
 A certified line of a robot with many joints has more code than a first instruction cache holds, and
 then all of it is fetched in each evaluation. A certificate does the same for all joints: the line
@@ -29,6 +29,7 @@ from adagen.executor.swept import (
     INVERSE,
     KEPT,
     MOMENT,
+    SHIFT,
     SQUARE,
     SQUARES,
     TORQUE,
@@ -36,11 +37,12 @@ from adagen.executor.swept import (
     SweptRow,
 )
 from adagen.executor.swept_records import Pass, Record, passes, records
-from adagen.graph import Expression
+from adagen.graph import Expression, matrix_times, total
 
 Array = NDArray[Any]
 
-_ACROSS = [0, 1, 3, 4, 5]  # entries of a wrench that a hinge passes on
+_HINGE, _SLIDE = 2, 5  # entries of a wrench along them
+_ACROSS = {_HINGE: [0, 1, 3, 4, 5], _SLIDE: [0, 1, 3, 4, 2]}  # those that they pass on
 _WAIT = 60  # cycles that a record takes, about
 
 
@@ -62,7 +64,7 @@ class Certificate(Protocol):
         """Return squares of moments and forces that act there by themselves, shape (4,)."""
 
     def torque_at(self, j: int) -> Expression:
-        """Return the torque of a joint that is left for the residual."""
+        """Return the torque of a joint that is left for the residual, less what a rotor takes."""
 
 
 class SweptRows:
@@ -80,7 +82,9 @@ class SweptRows:
         self.certificate, self.state = certificate, certificate.state
         self.looped, rows = looped, self.state.rows
         self._lanes, found = records(rows, looped)
-        size = FIELDS * self._lanes
+        self._slides = any(self.along(j) == _SLIDE for j in looped)
+        self._rotors = any(self.state.rotor(j) is not None for j in looped)
+        size = (FIELDS + self._slides) * self._lanes
         self._places = {
             j + 1: k * size + lane for k, record in enumerate(found) for j, lane in record
         }
@@ -97,8 +101,14 @@ class SweptRows:
         floats = bool(certificate.bases)
         left, closed = tuple(self._left), certificate.closed
         self.swept = Swept(
-            self._lanes, table, len(looped), left, end, sums, sums + 3, floats, closed
+            *(self._lanes, table, len(looped), left, end, sums, sums + 3, floats, closed),
+            slides=self._slides,
+            rotors=self._rotors,
         )
+
+    def along(self, j: int) -> int:
+        """Return the entry of a wrench that is along a joint."""
+        return self.state.kind(j).free[0]
 
     def _near(self, j: int) -> list[int]:
         """The near links of a row, those of idle lanes left out."""
@@ -109,20 +119,24 @@ class SweptRows:
         """Leave the numbers of a record, which comes before another or none."""
         rows, lanes, place = self.state.rows, self._lanes, self._place(record)
         joints, angles = list[int | None]([None] * lanes), list[int | None]([None] * lanes)
-        constants, handed = self.state.zeros(CONSTANTS, lanes), list[tuple[int, int]]()
+        each, handed = list[Array](), list[tuple[int, int]]()
         for j, lane in record:
             width = len(rows.lanes(j))
             self._leave(j)
             joints[lane : lane + width] = rows.lanes(j)
             angles[lane : lane + width] = self._angles(j)
-            constants[:, lane : lane + width] = self._constants(j)
+            each.append(self._constants(j))
             near = enumerate(self._near(j), start=lane)
             handed += [(lane, self._gathers(link)) for lane, link in near if link]
         own = passes(handed, lanes)
         goes_on = bool(following) and self._goes_on(record, own, following)
         self._added.update(each.near for each in own if not goes_on)
         added = place in self._added
-        return SweptRow(tuple(joints), place, tuple(angles), own, goes_on, added, constants)
+        constants = self.state.zeros(len(each[0]), lanes)
+        for (_, lane), own_constants in zip(record, each, strict=True):
+            constants[:, lane : lane + own_constants.shape[1]] = own_constants
+        slides = any(self.along(j) == _SLIDE for j, _ in record)
+        return SweptRow(tuple(joints), place, tuple(angles), own, goes_on, added, slides, constants)
 
     def _place(self, record: Record) -> int:
         (first, lane), *_ = record
@@ -146,8 +160,12 @@ class SweptRows:
     def _leave(self, j: int) -> None:
         """Leave the numbers of a row."""
         rows, memory, graph = self.state.rows, self.state.memory, self.state.graph
-        width, count = len(rows.lanes(j)), len(rows.own(j))
-        numbers = dict(enumerate(self.certificate.wrench_at(j + 1)))
+        width, count, along = len(rows.lanes(j)), len(rows.own(j)), self.along(j)
+        wrench = self.certificate.wrench_at(j + 1)
+        taken = self.taken(j)
+        numbers = dict(enumerate(wrench if taken is None else wrench + taken))
+        if taken is not None and self.certificate.bases:
+            numbers |= dict(enumerate(taken[3:], start=FORCE))
         numbers |= dict(enumerate(self.certificate.squares_at(j + 1), start=SQUARES))
         numbers |= dict(enumerate(memory["a", j + 1][:, 0], start=ACCELERATION))
         numbers[TORQUE] = self.certificate.torque_at(j)
@@ -156,16 +174,37 @@ class SweptRows:
             inverse = body.factors.inverses[0]
             if count < width:  # a lane that repeats another adds nothing
                 inverse = inverse * graph.constant((1,) * count + (0,) * (width - count))
-            numbers |= dict(enumerate(body.scaled[0, _ACROSS], start=ACROSS))
+            numbers |= dict(enumerate(body.scaled[0, _ACROSS[along]], start=ACROSS))
             numbers[INVERSE] = inverse
+        if along == _SLIDE:
+            (numbers[SHIFT], *_), _ = self.state.configuration(j)
         left = {k: x for k, x in sorted(numbers.items()) if x.constant != 0}
         first = self._places[j + 1]
         self._left += [(first + k * self._lanes, x, width) for k, x in left.items()]
-        if not left.keys().isdisjoint(range(SQUARES, FORCE)):
+        if not left.keys().isdisjoint(range(SQUARES, GATHERED)):
             self._added.add(first - first % self._lanes)
 
-    def _angles(self, j: int) -> list[int]:
-        """The places of a row's angles, by lanes."""
+    def taken(self, j: int) -> Array | None:
+        """Return the wrench that accelerations of links take whose inertias are set at run time.
+
+        None of others, whose inertias the loop knows.
+        """
+        inertia = self.certificate.motion.link_inertia(j + 1)
+        if all(x.constant is not None for x in inertia.flat):
+            return None
+        taken: Array = matrix_times(inertia, self.state.memory["a", j + 1][:, 0])
+        return taken
+
+    def energy(self, j: int) -> Expression:
+        """Return the energy of these accelerations; zero of others."""
+        taken, a = self.taken(j), self.state.memory["a", j + 1][:, 0]
+        zero = self.state.graph.constant(0)
+        return zero if taken is None else total([zero, *(taken * a)])
+
+    def _angles(self, j: int) -> list[int | None]:
+        """The places of a row's angles, by lanes; none of slides."""
+        if self.along(j) == _SLIDE:
+            return [None] * len(self.state.rows.lanes(j))
         (angle, *_), _ = self.state.configuration(j)
         lanes = [angle.graph.lane(angle, k) for k in range(angle.node.width)]
         place = self.state.place_of_angles(tuple(lanes))
@@ -179,34 +218,42 @@ class SweptRows:
         return self._places[self.state.rows.name_of(link)] + lane
 
     def _constants(self, j: int) -> Array:
-        """The constants of a row, shape (CONSTANTS, its lanes)."""
+        """The constants of a row, shape (their number, its lanes)."""
         state, graph, width = self.state, self.state.graph, len(self.state.rows.lanes(j))
         inertia = self.certificate.motion.link_inertia(j + 1)
-        x: Transform = state.memory["X", j]
-        arms = [[*x.origin[:k], *x.origin[k + 1 :]] for k in range(3)]
+        if self.taken(j) is not None:
+            inertia = state.zeros(6, 6)
+        origin = state.rows.of_joint(j, lambda joint: joint.translation)
+        arms = [[*origin[:k], *origin[k + 1 :]] for k in range(3)]
+        about_x, about_y, about_z = self._turned(j)
         numbers = [
             *(inertia[i, k] for i, k in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))),
             *(inertia[2, 4], inertia[0, 5], inertia[1, 3], inertia[3, 3]),
             *state.rows.of_joint(j, lambda joint: joint.rotation).flat,
-            *x.origin,
+            *origin,
             *map(self.certificate.square, arms),
-            *self._turned(x),
+            *about_x,
+            *about_z,
             graph.constant(int(self.holds(j))),
             graph.constant(1),
         ]
-        found = state.zeros(CONSTANTS, width)
+        if self._slides:
+            numbers += [graph.constant(int(self.along(j) == _SLIDE)), *about_y]
+        if self._rotors:
+            numbers.append(state.rotor(j) or graph.constant(0))
+        found = state.zeros(len(numbers), width)
         for k, number in enumerate(numbers):
             found[k] = [graph.lane(number, lane) for lane in range(width)]
-        found[-1, len(state.rows.own(j)) :] = graph.constant(0)
+        found[CONSTANTS - 1, len(state.rows.own(j)) :] = graph.constant(0)
         return found
 
-    def _turned(self, x: Transform) -> list[Expression]:
-        """Which squares of moments turn to be those about each axis: across the joint, along it.
+    def _turned(self, j: int) -> list[Array]:
+        """Which squares of moments turn to be those about each axis: about x, y, and along z.
 
-        Allowances take the larger of them (frames.py).
+        Allowances take the larger of them (frames.py). Those across a hinge do likewise.
         """
-        across, _, along = self.state.constants(np.eye(3))
-        return [*x.rotation.magnitudes(across), *x.rotation.magnitudes(along)]
+        x: Transform = self.state.memory["X", j]
+        return [x.rotation.magnitudes(axis) for axis in self.state.constants(np.eye(3))]
 
     # -- what it gives ----------------------------------------------------------------------------
 
@@ -218,7 +265,7 @@ class SweptRows:
         return found[:SQUARES], found[SQUARES:FORCE], found[FORCE:]
 
     def held(self, j: int) -> tuple[Expression, Expression]:
-        """Return the moment along a joint that holds, and the square of what makes it up."""
+        """Return what is left along a joint that holds, and the square of what makes it up."""
         first, width = self._places[j + 1], len(self.state.rows.lanes(j))
         moment, square = (self._given(first + k * self._lanes, width) for k in (MOMENT, SQUARE))
         return moment, square

@@ -42,6 +42,8 @@ from adagen.plan.types import Plan, Process
 
 ROUNDING = 8.0
 """How many units in the last place of what is added up count as uncertain."""
+IN_LOOPS = ("revolute", "prismatic")
+"""Kinds of joints whose residuals a loop of a straight line can sweep."""
 
 
 def certified(plan: Plan) -> Plan:
@@ -70,9 +72,8 @@ def certified(plan: Plan) -> Plan:
 def looped(plan: Plan, rows: int) -> Plan | None:
     """Return a certified plan whose straight line has a loop sweep residuals of its outermost rows.
 
-    None where it cannot: a loop sweeps trees of hinges without rotors, whose base may float, and
-    hinges beyond the tops of closed loops, in one process. Nothing but joints and loops pushes
-    their links, whose inertias are constant.
+    None where it cannot: a loop sweeps hinges and slides of one process, of closed loops those
+    beyond their tops. Statements sweep joints of other kinds, and what these hang on.
 
     Args:
         plan: the plan.
@@ -80,14 +81,9 @@ def looped(plan: Plan, rows: int) -> Plan | None:
     """
     if not plan.certified or plan.several or plan.reproducible:
         return None
-    if has_inner_root(plan) or any(plan.steps_of(Join)) or plan.sets_inertias or plan.wrenches:
+    if has_inner_root(plan) or any(plan.steps_of(Join)):
         return None
-    if plan.closed:
-        return plan.with_looped(rows)
-    hinges = [joint for joint in plan.joints if joint.kind != "floating" or joint.parent]
-    if not hinges or any(
-        joint.kind != "revolute" or joint.rotor_inertia or joint.lent for joint in hinges
-    ):
+    if not any(joint.kind in IN_LOOPS for joint in plan.joints):
         return None
     return plan.with_looped(rows)
 

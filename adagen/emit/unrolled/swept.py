@@ -35,9 +35,10 @@ def _given(op: str) -> bool:
 
 def sweep_line(swept: Swept, p: int) -> str:
     """Return the line that sweeps residuals of process p."""
-    kind = ", ".join([TYPES[swept.lanes], *(str(x).lower() for x in (swept.floats, swept.closed))])
-    places = f"{swept.gathered}, {swept.sums}"
-    return f"sweep_rows<{kind}>(w, kSwept_{p}, kSweptPasses_{p}, kSweptConstants_{p}, {places});"
+    flags = (swept.floats, swept.closed, swept.slides, swept.rotors)
+    kinds = f"SweptKinds<{', '.join(str(flag).lower() for flag in flags)}>"
+    places = f"kSwept_{p}, kSweptPasses_{p}, kSweptConstants_{p}, {swept.gathered}, {swept.sums}"
+    return f"sweep_rows<{TYPES[swept.lanes]}, {kinds}>(w, {places});"
 
 
 def swept_values(swept: Swept | None, text: Text, zero: int) -> dict[str, object]:
@@ -54,7 +55,7 @@ def swept_values(swept: Swept | None, text: Text, zero: int) -> dict[str, object
     for row in swept.rows:
         angles = [zero if k is None else k for k in row.angles]
         places = ", ".join(map(str, angles))
-        flags = ", ".join(str(flag).lower() for flag in (row.next, row.added))
+        flags = ", ".join(str(flag).lower() for flag in (row.next, row.added, row.slides))
         count = 0 if row.next else len(row.passes)
         rows.append(f"{{{row.place}, {count}, {flags}, {{{places}}}}}")
     numbers = [

@@ -28,10 +28,11 @@ namespace {
 // A record: joints whose residuals are swept together, one in each lane.
 template <int lanes>
 struct SweptRow {
-  int place;   // of their numbers in the workspace
-  int passes;  // in which they are handed on; none where all near links are the ground
-  bool next;   // whether all is handed on to the next record instead, lane by lane
-  bool added;  // whether squares and forces are added to its numbers, by others or the line
+  int place;    // of their numbers in the workspace
+  int passes;   // in which they are handed on; none where all near links are the ground
+  bool next;    // whether all is handed on to the next record instead, lane by lane
+  bool added;   // whether squares and forces are added to its numbers, by others or the line
+  bool slides;  // whether one of its joints slides
   std::array<short, lanes> angle;  // places among angles; of what is zero in lanes without a joint
 };
 
@@ -51,14 +52,25 @@ struct SweptNumber {
   static constexpr int kSquares = 6;  // of moments and forces that were added up beyond
   static constexpr int kForce = 10;   // force that the motion takes, of the link and beyond
   static constexpr int kAcceleration = 13;
-  static constexpr int kAcross = 19;   // D^-1 U but for the entry along the joint
+  static constexpr int kAcross = 19;   // D^-1 U but for the entry along the joint: x, y; x, y; z
   static constexpr int kInverse = 24;  // 1 / D, zero in lanes that repeat others
-  static constexpr int kTorque = 25;
-  static constexpr int kMoment = 26;  // for joints that hold: the moment along the joint, and
-  static constexpr int kSquare = 27;  // the square of all that came together there
+  static constexpr int kTorque = 25;   // less what a rotor takes
+  static constexpr int kMoment = 26;   // for joints that hold: the moment or force along it, and
+  static constexpr int kSquare = 27;   // the square of all that came together there
+  static constexpr int kShift = 28;    // where some joints slide: how far
+};
+
+// What there is among rows.
+template <bool some_float, bool some_close, bool some_slide, bool some_drive>
+struct SweptKinds {
+  static constexpr bool floats = some_float;  // a base: forces are handed on
+  static constexpr bool closed = some_close;  // loops: some joints hold
+  static constexpr bool slides = some_slide;
+  static constexpr bool rotors = some_drive;
 };
 
 // Constants of a row likewise.
+template <class Kinds>
 struct SweptConstant {
   static constexpr int kMoments = 0;  // xx, yy, zz, xy, xz, yz about the origin
   static constexpr int kMassCentre = 6;
@@ -70,7 +82,11 @@ struct SweptConstant {
   static constexpr int kAlong = 28;   // likewise those along it
   static constexpr int kHolds = 31;   // whether the joint passes on all of a wrench
   static constexpr int kCounts = 32;  // zero in lanes that repeat others
-  static constexpr int kAll = 33;
+  static constexpr int kSlides =
+      33;  // whether the joint slides; then squares about y, like kAcross
+  static constexpr int kOther = 34;
+  static constexpr int kRotor = Kinds::slides ? 37 : 33;  // its inertia
+  static constexpr int kAll = kRotor + (Kinds::rotors ? 1 : 0);
 };
 
 template <class T>
@@ -131,13 +147,15 @@ ADAGEN_INLINE const SweptPass<kWidth<T>>* hand_on(Real* const memory,
 // is known of the links themselves is added up before what comes from beyond, which takes longer.
 //
 // handed: by the record before, and then by this one to the next.
-template <bool floats, bool closed, class T>
+template <class Kinds, class T>
 ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
                              const SweptPass<kWidth<T>>* const passes, const T& c, const T& s,
                              const Real* const constant, SweptSums<T>& sums,
                              T (&handed)[SweptNumber::kAcceleration]) {
   using Number = SweptNumber;
-  using Constant = SweptConstant;
+  using Constant = SweptConstant<Kinds>;
+  constexpr bool floats = Kinds::floats, closed = Kinds::closed;
+  const bool slides = Kinds::slides && row.slides;
   constexpr int W = kWidth<T>, gathered = floats ? Number::kAcceleration : Number::kForce;
   Real* const own = memory + row.place;
   const auto number = [own](int k) { return load<T>(own + k * W); };
@@ -176,16 +194,23 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
                (force[1] * force[1] + force[2] * force[2]);
 
   const T torque = number(Number::kTorque), inverse = number(Number::kInverse);
-  const T driven = torque - moment[2];
+  T free = moment[2], square = squares[2];
+  if (slides) {
+    const auto sliding = known(Constant::kSlides) > Real(0);
+    free = sliding ? force[2] : free;
+    square = sliding ? squares[3] : square;
+  }
+  const T driven = torque - free;
   sums.seen += driven * driven * inverse;
-  sums.rounded += squares[2] * inverse;
+  sums.rounded += square * inverse;
   T passed = torque, along = torque * torque;
+  if constexpr (Kinds::rotors) passed -= known(Constant::kRotor) * inverse * driven;
   if constexpr (closed) {
     const auto holds = known(Constant::kHolds) > Real(0);
-    passed = holds ? moment[2] : passed;
-    along = holds ? squares[2] : along;
-    put(moment[2], own + Number::kMoment * W);
-    put(squares[2], own + Number::kSquare * W);
+    passed = holds ? free : passed;
+    along = holds ? square : along;
+    put(free, own + Number::kMoment * W);
+    put(square, own + Number::kSquare * W);
   }
   // The next evaluation begins with what its line leaves, and with nothing else, in no lane: what
   // is not finite may have come into all of them.
@@ -197,28 +222,49 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
   }
 
   // Turned about z, then as the joint is placed.
-  T turn[3][3], turned[3], moved[3];
+  T turn[3][3], turned[3], moved[3], origin[3], levers[3], about[3];
+  const T across = larger_of(squares[0], squares[1]);
   ADAGEN_FOR (k, 0, 3) {
     const T x = known(Constant::kPlacement + 3 * k), y = known(Constant::kPlacement + 3 * k + 1);
     turn[k][0] = c * x + s * y;
     turn[k][1] = c * y - s * x;
     turn[k][2] = known(Constant::kPlacement + 3 * k + 2);
+    origin[k] = known(Constant::kOrigin + k);
+    levers[k] = known(Constant::kLevers + k);
+    about[k] = across * known(Constant::kAcross + k);
   }
-  moment[0] += number(Number::kAcross) * driven;
-  moment[1] += number(Number::kAcross + 1) * driven;
-  moment[2] = passed;
-  ADAGEN_FOR (k, 0, 3) force[k] += number(Number::kAcross + 2 + k) * driven;
+  ADAGEN_FOR (k, 0, 2) {
+    moment[k] += number(Number::kAcross + k) * driven;
+    force[k] += number(Number::kAcross + 2 + k) * driven;
+  }
+  const T other = number(Number::kAcross + 4) * driven;
+  if (slides) {
+    const auto sliding = known(Constant::kSlides) > Real(0);
+    const T across_slides = moment[2] + other;
+    moment[2] = sliding ? across_slides : passed;
+    force[2] = sliding ? passed : T(force[2] + other);
+    along = sliding ? squares[2] : along;
+    ADAGEN_FOR (k, 0, 3) {
+      origin[k] += turn[k][2] * number(Number::kShift);
+      about[k] = larger_of(T(squares[0] * known(Constant::kAcross + k)),
+                           T(squares[1] * known(Constant::kOther + k)));
+    }
+    ADAGEN_FOR (k, 0, 3) {
+      const int i = (k + 1) % 3, m = (k + 2) % 3;
+      levers[k] = origin[i] * origin[i] + origin[m] * origin[m];
+    }
+  } else {
+    moment[2] = passed;
+    force[2] += other;
+  }
   turn_swept(force, turn, moved);
   turn_swept(moment, turn, turned);
-  const T across = larger_of(squares[0], squares[1]);
   ADAGEN_FOR (k, 0, 3) {
     const int i = (k + 1) % 3, m = (k + 2) % 3;
-    handed[Number::kWrench + k] = turned[k] + known(Constant::kOrigin + i) * moved[m] -
-                                  known(Constant::kOrigin + m) * moved[i];
+    handed[Number::kWrench + k] = turned[k] + origin[i] * moved[m] - origin[m] * moved[i];
     handed[Number::kWrench + 3 + k] = moved[k];
-    const T from =
-        larger_of(T(across * known(Constant::kAcross + k)), T(along * known(Constant::kAlong + k)));
-    handed[Number::kSquares + k] = from + known(Constant::kLevers + k) * squares[3];
+    const T from = larger_of(about[k], T(along * known(Constant::kAlong + k)));
+    handed[Number::kSquares + k] = from + levers[k] * squares[3];
   }
   handed[Number::kSquares + 3] = squares[3];
   if constexpr (floats) {
@@ -236,13 +282,13 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
 //
 // gathered: where what they gather begins, up to the sums: the squared error that shows, the
 // allowance for rounding in squares of units, and, of links, the answer's energy.
-template <class T, bool floats, bool closed, std::size_t rows, std::size_t count,
-          std::size_t numbers>
+template <class T, class Kinds, std::size_t rows, std::size_t count, std::size_t numbers>
 ADAGEN_NOINLINE void sweep_rows(Workspace& w, const std::array<SweptRow<kWidth<T>>, rows>& swept,
                                 const std::array<SweptPass<kWidth<T>>, count>& passes,
                                 const std::array<Real, numbers>& constants, int gathered,
                                 int sums) {
-  constexpr int W = kWidth<T>, step = SweptConstant::kAll * W;
+  using Constant = SweptConstant<Kinds>;
+  constexpr int W = kWidth<T>, step = Constant::kAll * W;
   static_assert(numbers == rows * step);
   Real* const memory = w.x.data();
   std::fill(memory + gathered, memory + sums, Real(0));
@@ -252,15 +298,16 @@ ADAGEN_NOINLINE void sweep_rows(Workspace& w, const std::array<SweptRow<kWidth<T
   const SweptPass<W>* pass = passes.data();
   constexpr auto lanes = std::make_index_sequence<kWidth<T>>{};
   for (const SweptRow<W>& row : swept) {
-    const T c = of_angles<T>(w.cosine.data(), row.angle, lanes);
+    T c = of_angles<T>(w.cosine.data(), row.angle, lanes);
     const T s = of_angles<T>(w.sine.data(), row.angle, lanes);
-    sweep_row<floats, closed>(memory, row, pass, c, s, constant, found, handed);
+    if (Kinds::slides && row.slides) c += load<T>(constant + Constant::kSlides * W);  // of no angle
+    sweep_row<Kinds>(memory, row, pass, c, s, constant, found, handed);
     constant += step;
     pass += row.passes;
   }
   memory[sums] = across<W>(found.seen);
   memory[sums + 1] = across<W>(found.rounded);
-  if constexpr (closed) memory[sums + 2] = across<W>(found.answer);
+  if constexpr (Kinds::closed) memory[sums + 2] = across<W>(found.answer);
 }
 
 }  // namespace
