@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from statistics import median
 
 from adagen.build import Toolchain
+from adagen.calibrate.caches import instruction_cache, second_cache
 from adagen.calibrate.channel import (
     Channels,
     MessageTime,
@@ -26,7 +27,6 @@ from adagen.calibrate.fit import (
     fit_steps,
     relative_errors,
 )
-from adagen.calibrate.instruction_cache import instruction_cache
 from adagen.calibrate.measure import Built, Measurement, combined
 from adagen.calibrate.samples import Wanted, stepwise_programs, straight_programs
 from adagen.calibrate.straight import fit_straight, timed_stretches
@@ -222,6 +222,7 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     table["process.evaluation"] = evaluation_cost(free)
     table |= fit_straight(timed_stretches(found.straight))
     table["unrolled.cache"] = float(instruction_cache() or ASSUMED["unrolled.cache"])
+    table["process.cache"] = float(second_cache() or ASSUMED["process.cache"])
     if found.channels is not None:
         window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)
     else:

@@ -10,9 +10,11 @@ from posixpath import normpath
 
 from adagen.emit.runtime import FOLDER, runtime_files
 from adagen.program.lower import LOOPS
+from adagen.schedule.costs import ASSUMED
 
 Setting = tuple[str, str, object, object]
 """C++ type, name, value, and the value that the runtime has for it."""
+_CACHE = int(ASSUMED["process.cache"])
 _DESCRIBED = {"kRobot", "kFloating", "kChannel", "kHops", "kMeetsSubnormals"}
 """What only some processors, or the description for the program around a solver, read; clang would
 call it unused."""
@@ -56,6 +58,7 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
                 ("std::size_t", "kSlavedCount", values["slaved_count"], 0),
                 ("bool", "kGivesAll", not values["wanted"], True),
                 ("bool", "kBatch", values["batch"], False),
+                ("std::size_t", "kCache", values["cache"] if values["batch"] else _CACHE, _CACHE),
                 ("int", "kRefine", refine, 0),
                 ("bool", "kWide", bool(refine) and not values["own_residual"], False),
                 ("bool", "kCertified", values["certified"], False),

@@ -157,6 +157,7 @@ class Solver:
             "columns": self.symbols.columns,
             "slaved_count": len(plan.slaved),
             "batch": bool(self.batch),
+            "cache": int(self.symbols.costs["process.cache"]),
             "state_by_state": bool(self.batch) and not self.program.batch,
             "reproducible": plan.reproducible,
             "certified": plan.certified,

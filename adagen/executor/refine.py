@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.many_states import cross
 from adagen.executor.solve import Run
 from adagen.model.kinds import KINDS
 from adagen.plan.placement import configuration, cross_motion, placement
@@ -29,13 +30,14 @@ class Refined:
     """A refined answer.
 
     Attributes:
-        qdd: accelerations, shape (nv,).
+        qdd: accelerations, shape (nv,) or (nv, S).
         corrections: for each step of refinement the size of what it changed, relative to the
-            answer, in the energy norm sqrt(e^T H e / t^T H t): the error before that step.
+            answer, in the energy norm sqrt(e^T H e / t^T H t): the error before that step; of S
+            states an array of them, shape (S,).
     """
 
     qdd: NDArray[np.float64]
-    corrections: tuple[float, ...]
+    corrections: tuple[Any, ...]
 
 
 def interpret_refined(
@@ -45,29 +47,54 @@ def interpret_refined(
 
     Args:
         plan: the plan.
-        q: configuration, shape (nq,).
-        v: velocity, shape (nv,).
-        tau: joint torques and forces, shape (nv,).
+        q: configuration, shape (nq,), or (nq, S) for S states at once.
+        v: velocity, shape (nv,) or (nv, S).
+        tau: joint torques and forces, shape (nv,) or (nv, S).
         steps: of refinement.
         wide: numpy's type for residuals and sums; the plan itself is carried out in double.
 
     Raises:
-        FloatingPointError: a factorization failed; the message names the joint.
+        FloatingPointError: a factorization failed, in one state at least; the message names the
+            joint.
         UsageError: the plan cannot be refined.
     """
     plan = refinable(plan)
     q, v = _with_slaved(plan, q, v)
-    chain = WideLinks(plan, q, v, wide)
     tau = np.asarray(tau, dtype=float)
-    answer = _solve(plan, q, v, tau)
-    qdd, forces = chain.follow(answer[0].astype(wide)), chain.handed_on(answer[1], tau)
+    apart, together = (_apart, _together) if q.ndim > 1 else (_alone, lambda found: found[0])
+    chains = [WideLinks(plan, *state, wide) for state in zip(apart(q), apart(v), strict=True)]
+    torques = apart(tau)
+    first = map(apart, _solve(plan, q, v, tau))
+    answers = [
+        (chain.follow(qdd.astype(wide)), chain.handed_on(forces, own))
+        for chain, qdd, forces, own in zip(chains, *first, torques, strict=True)
+    ]
     sizes = []
     for _ in range(steps):
-        rho, lacking = chain.residual(qdd, forces).astype(float), chain.lacking(tau, forces)
-        step, step_forces = _solve(plan, q, v, lacking, rho)
-        sizes.append(chain.energy(step) / max(chain.energy(qdd), np.finfo(float).tiny))
-        qdd, forces = chain.follow(qdd + step), forces + chain.handed_on(step_forces, lacking)
-    return Refined(qdd.astype(float), tuple(float(np.sqrt(size)) for size in sizes))
+        rows = list(zip(chains, answers, torques, strict=True))
+        rho = [chain.residual(*answer).astype(float) for chain, answer, _ in rows]
+        lacking = [chain.lacking(own, forces) for chain, (_, forces), own in rows]
+        more = map(apart, _solve(plan, q, v, together(lacking), together(rho)))
+        found = list(zip(chains, answers, *more, lacking, strict=True))
+        sizes.append(together([chain.off(step, qdd) for chain, (qdd, _), step, *_ in found]))
+        answers = [
+            (chain.follow(qdd + step), forces + chain.handed_on(step_forces, missing))
+            for chain, (qdd, forces), step, step_forces, missing in found
+        ]
+    return Refined(together([qdd for qdd, _ in answers]).astype(float), tuple(sizes))
+
+
+def _alone(values: Array) -> list[Array]:
+    return [values]
+
+
+def _apart(values: Array) -> list[Array]:
+    """Return the arrays of single states, which come last."""
+    return list(np.moveaxis(values, -1, 0))
+
+
+def _together(values: list[Any]) -> Array:
+    return np.stack(values, axis=-1)
 
 
 def _solve(
@@ -75,20 +102,29 @@ def _solve(
 ) -> tuple[Array, Array]:
     """Return accelerations, shape (nv,), and joint forces in the child links' frames, (N, 6).
 
-    With ``rho``, shape (N + 1, 6), those that these wrenches and the torques cause alone.
+    With ``rho``, shape (N + 1, 6), those that these wrenches and the torques cause alone. Of
+    several states all have one more axis, the last.
     """
-    inputs = {"q": q, "v": v, "tau": tau, "rho": np.zeros(0) if rho is None else rho.ravel()}
+    count = q.shape[1:]
+    given = np.zeros(0) if rho is None else rho.reshape(-1, *count)
+    inputs = {"q": q, "v": v, "tau": tau, "rho": given}
     run = Run(plan, inputs, refining="answer" if rho is None else "correction", once=True)
     run.check(digits=False)
-    forces = np.zeros((len(plan.joints), 6))
+    columns = 1 + len(plan.slaved)
+    forces = np.zeros((len(plan.joints), 6, *(count or (1,))))
     for p, machine in enumerate(run.machines):
         memory = machine.memory
         kept = [name for name in memory if isinstance(name, tuple) and name[0] == "force"]
         for name in kept:
-            force = run.of(p, memory[name])
-            torques = run.of(p, memory["torques"]) if plan.slaved else np.zeros(0)
-            forces[name[1]] = force[:, 0] + force[:, 1:] @ torques
-    return run.accelerations(), forces
+            force = run.of(p, memory[name]).reshape(6, columns, -1)
+            forces[name[1]] = force[:, 0]
+            if plan.slaved:
+                torques = run.of(p, memory["torques"]).reshape(columns - 1, -1)
+                forces[name[1]] += (force[:, 1:] * torques).sum(axis=1)
+    qdd = run.accelerations()
+    if qdd.ndim <= len(count):  # the same in all states
+        qdd = np.broadcast_to(qdd[:, None], (len(qdd), *count))
+    return qdd, forces.reshape(-1, 6, *count)
 
 
 def _with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:
@@ -169,6 +205,11 @@ class WideLinks:
             missing[own] = tau[own] - forces[j, list(kind.free)]
         return missing
 
+    def off(self, step: Array, qdd: Array) -> float:
+        """Return the size of a correction of accelerations, relative to these."""
+        size = self.energy(step) / max(self.energy(qdd), np.finfo(float).tiny)
+        return float(np.sqrt(size))
+
     def energy(self, qdd: Array) -> Any:
         """Return qdd^T H qdd of accelerations, shape (nv,), from the links' motions."""
         w, energy = np.zeros((len(self.plan.joints) + 1, 6), dtype=self.wide), self.wide(0)
@@ -184,23 +225,23 @@ class WideLinks:
         return motion
 
     def _carried(self, j: int, motion: Array) -> Array:
-        linear = motion[3:] - np.cross(self.shift[j], motion[:3])
+        linear = motion[3:] - cross(self.shift[j], motion[:3])
         return np.concatenate([self.turn[j] @ motion[:3], self.turn[j] @ linear])
 
     def _returned(self, j: int, force: Array) -> Array:
         """Return a wrench on a joint's child link in its parent link's frame."""
         moment, linear = self.turn[j].T @ force[:3], self.turn[j].T @ force[3:]
-        return np.concatenate([moment + np.cross(self.shift[j], linear), linear])
+        return np.concatenate([moment + cross(self.shift[j], linear), linear])
 
     def _inertia(self, number: int, motion: Array) -> Array:
         """Return I m of a link: its mass at the centre of mass, and its tensor about it."""
         link = self.plan.links[number]
         c = np.array(link.com, dtype=self.wide)
-        force = self.wide(link.mass) * (motion[3:] + np.cross(motion[:3], c))
-        moment = np.array(link.tensor, dtype=self.wide) @ motion[:3] + np.cross(c, force)
+        force = self.wide(link.mass) * (motion[3:] + cross(motion[:3], c))
+        moment = np.array(link.tensor, dtype=self.wide) @ motion[:3] + cross(c, force)
         return np.concatenate([moment, force])
 
 
 def _cross_force(v: Array, f: Array) -> Array:
-    moment = np.cross(v[:3], f[:3]) + np.cross(v[3:], f[3:])
-    return np.concatenate([moment, np.cross(v[:3], f[3:])])
+    moment = cross(v[:3], f[:3]) + cross(v[3:], f[3:])
+    return np.concatenate([moment, cross(v[:3], f[3:])])

@@ -17,6 +17,7 @@ from adagen.executor.state import Refining
 from adagen.executor.straight import simulate, straight_line
 from adagen.graph import DOUBLE, Algebra, Evaluation, Numbers
 from adagen.graph.evaluate import in_lanes
+from adagen.graph.numbers import of_each
 from adagen.plan.steps import FusedJoin
 from adagen.plan.types import Plan
 
@@ -197,7 +198,7 @@ class Run:
             if word in ("sine", "cosine"):
                 return self._sine_and_cosine(p, int(places[0]))[word == "cosine"]
             given = self.algebra.given(self.inputs[word][int(places[0])])
-            return float(given) if self.once else given
+            return float(given) if self.once and np.ndim(given) == 0 else given
 
         return lookup
 
@@ -211,7 +212,7 @@ class Run:
         angles = self.machines[p].angles
         if self.once:
             angle = angles[k].x  # type: ignore[attr-defined]
-            return math.sin(angle), math.cos(angle)
+            return of_each(math.sin, angle), of_each(math.cos, angle)
         if p not in self._circular:
             self._circular[p] = self.algebra.sines_and_cosines(self._values(p, angles))
         return self._circular[p][k]

@@ -9,7 +9,8 @@ from adagen.emit import check_batch, check_certified, check_form, check_reproduc
 from adagen.emit.embedded import TARGETS, check_target
 from adagen.emit.refine import RESIDUALS, checked_shape, checked_steps
 from adagen.errors import UsageError
-from adagen.plan.parts import MOST_IN_LANES
+from adagen.schedule.caches import solved_in_lanes
+from adagen.schedule.costs import StepCosts
 
 MOST_PROCESSES = 1024
 
@@ -169,7 +170,7 @@ class Request:
         usual = self.strategy == "exact" and self.split == "always" and self.form == "segment"
         return usual and self.schedule == "auto" and self.objective != "accuracy"
 
-    def may_part(self, joints: int) -> bool:
+    def may_part(self, joints: int, costs: StepCosts) -> bool:
         """Whether a process may sweep a long chain in parts, one in each SIMD lane.
 
         Loops for one state do, whose answers are not the same on any number of processes. One
@@ -177,7 +178,7 @@ class Request:
         many states as there are lanes would not fit the cache, and they are not certified.
         """
         alone = self.reproducible or self.target != "host" or (self.certify and self.batch)
-        alone |= self.batch and joints <= MOST_IN_LANES
+        alone |= self.batch and joints <= solved_in_lanes(costs)
         return self.parts == "auto" and self.may_gather and self.form == "segment" and not alone
 
     @property

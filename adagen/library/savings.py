@@ -20,7 +20,7 @@ from adagen.plan.operations import operations
 from adagen.reference import forward_dynamics
 from adagen.scene import Reduction
 from adagen.scene.report import Cost, Simplification, accurate, differs, saved
-from adagen.schedule import CostProfile, Schedule, load_profile
+from adagen.schedule import CostProfile, Schedule, load_profile, step_costs
 from adagen.search import best_schedule, predicted_time
 from adagen.search.objective import predicted_digits
 from adagen.states import random_states
@@ -95,9 +95,8 @@ def _whole(
         profile = profile.joins_only()
     try:
         asked = request.form, request.scalar
-        schedule = best_schedule(
-            full, processes, profile, *asked, in_parts=request.may_part(len(full.joints))
-        )
+        in_parts = request.may_part(len(full.joints), step_costs(profile))
+        schedule = best_schedule(full, processes, profile, *asked, in_parts=in_parts)
         plan = make_plan(full, schedule, form=request.form, scalar=request.scalar)
     except InputError:
         return None

@@ -11,7 +11,7 @@ from adagen.library.request import Request
 from adagen.model import Model
 from adagen.plan import as_gathered
 from adagen.plan.clusters import fold_of
-from adagen.schedule import CostProfile, Schedule, Topology, load_profile
+from adagen.schedule import CostProfile, Schedule, Topology, load_profile, step_costs
 from adagen.schedule.tree import Named
 from adagen.search import named_schedule, schedule_from_json
 from adagen.search.base_gathering import (
@@ -42,7 +42,7 @@ def schedule_of(model: Model, request: Request) -> Schedule:
                 request.schedule,
             )
         # Parts say how a process sweeps what is its own, which not all answers can be found by.
-        if not request.may_part(len(model.joints)) or (
+        if not request.may_part(len(model.joints), step_costs(load_profile(request.profile))) or (
             request.certify and found.parts and not certifies(found, model)
         ):
             found = replace(found, parts=0)
@@ -68,7 +68,7 @@ def searched(model: Model, request: Request) -> Schedule:
         whole = replace(request, parts="none")  # processes that have parts do not certify
         plain = _best(model, whole, profile) if request.may_gather else None
         asked = request.sharing, profile, request.scalar, request.shape
-        in_parts = request.may_part(len(model.joints))
+        in_parts = request.may_part(len(model.joints), step_costs(profile))
         return certified_schedule(model, *asked, plain, in_parts=in_parts)
     return _best(model, request, profile)
 
@@ -88,7 +88,7 @@ def _best(model: Model, request: Request, profile: CostProfile) -> Schedule:
         improved=not request.naive,
         gather=request.may_gather,
         shape=request.priced_shape,
-        in_parts=request.may_part(len(model.joints)),
+        in_parts=request.may_part(len(model.joints), step_costs(profile)),
         certify=request.certify,
         **({} if request.expansions is None else {"expansions": request.expansions}),
     )

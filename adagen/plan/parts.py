@@ -17,17 +17,6 @@ from adagen.plan.steps import Step
 FEWEST_ROWS = 3
 """Joints of each part at least, the one that it hangs on by included: as many rows are swept."""
 
-MOST_JOINTS = 3000
-"""Joints of a chain that is parted, at most: some 500 bytes of each are kept, which lie in a
-second-level cache of 2 MB. Of 5000, least times are still shorter than by tiles, but medians vary
-from 150 to 210 us instead of 190 to 200."""
-
-
-MOST_IN_LANES = 512
-"""Joints of a chain, at most, of whose states one in each SIMD lane is solved faster than one after
-the other in parts. So many are straight lines in batches; in loops, eight states need some 7 kB for
-each joint, more of it than a second-level cache of 2 MB has."""
-
 
 def strips_of(joints: range, lanes: int) -> list[range]:
     """Return a run of joints in as many parts as there are lanes, the last ones a joint shorter."""
@@ -62,7 +51,7 @@ def parts_of(joints: Sequence[PlanJoint], members: Container[int], lanes: int) -
     if first < hinges <= own[0]:  # by no hinge
         return []
     run = range(hinges, own[-1] + 1)
-    return strips_of(run, lanes) if FEWEST_ROWS * lanes <= len(run) <= MOST_JOINTS else []
+    return strips_of(run, lanes) if FEWEST_ROWS * lanes <= len(run) else []
 
 
 def _is_hinge(joint: PlanJoint) -> bool:

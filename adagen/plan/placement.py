@@ -14,6 +14,8 @@ from adagen.plan.robot import PlanJoint, PlanLink
 
 Array = NDArray[np.float64]
 
+_NEXT, _LAST = np.array([1, 2, 0]), np.array([2, 0, 1])
+
 
 def configuration(joints: Sequence[PlanJoint], joint: PlanJoint, q: NDArray[Any]) -> NDArray[Any]:
     """Return the configuration of a joint; that of a slaved joint follows from its source's.
@@ -68,8 +70,11 @@ def joint_transform(joint: PlanJoint, q: Array) -> Array:
 
 def cross_motion(v: Array, m: Array) -> Array:
     """Return v x m of two motion vectors [angular; linear], shape (6,)."""
-    linear = np.cross(v[:3], m[3:]) + np.cross(v[3:], m[:3])
-    return np.concatenate([np.cross(v[:3], m[:3]), linear])
+    # Three products at once: each call of np.cross takes as long as ten operations.
+    (a, b), (c, d) = v.reshape(2, 3), m.reshape(2, 3)
+    first, second = np.array([a, a, b]), np.array([c, d, c])
+    turned = first[:, _NEXT] * second[:, _LAST] - first[:, _LAST] * second[:, _NEXT]
+    return np.concatenate([turned[0], turned[1] + turned[2]])
 
 
 def placement(kind: JointKind, q: Array) -> tuple[Array, Array]:

@@ -11,17 +11,13 @@ from collections.abc import Iterator, Sequence
 from adagen.plan import Plan
 from adagen.plan.steps import Join
 from adagen.program.runs import Run, own_axes_in_loops, pays_columns
+from adagen.schedule.caches import swept_whole
 from adagen.schedule.costs import StepCosts
 
 TILE = 128
 """Joints of a tile: what they are swept with, some 500 bytes each, stays in the second-level cache
 beside what is kept of all. A chain of 10,000 takes 46, 43 and 41 ns a joint by tiles of 512, 256
 and 128. Whole blocks, in double and in float."""
-
-LONGEST = 1500
-"""Joints up to which a run is swept as a whole: some 900 bytes each still lie in a second-level
-cache of 1 to 2 MB. To pass a joint twice costs less than to fetch its memory from the next level.
-"""
 
 
 def fits_tiles(plan: Plan, in_strips: Sequence[Run], costs: StepCosts) -> bool:
@@ -30,7 +26,7 @@ def fits_tiles(plan: Plan, in_strips: Sequence[Run], costs: StepCosts) -> bool:
     Args:
         plan: the plan.
         in_strips: the runs that are passed outwards in strips.
-        costs: by which runs are computed by columns.
+        costs: by which runs are computed by columns, and the size of the cache.
     """
     joints = plan.joints
     whole = Run(0, len(joints) - 1)
@@ -38,7 +34,7 @@ def fits_tiles(plan: Plan, in_strips: Sequence[Run], costs: StepCosts) -> bool:
         len(plan.processes) > 1
         or any(plan.steps_of(Join))
         or list(in_strips) != [whole]
-        or whole.length <= LONGEST
+        or whole.length <= max(TILE, swept_whole(costs))
     ):
         return False
     if plan.slaved or plan.wrenches or plan.parameters or plan.closed:

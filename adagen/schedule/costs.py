@@ -19,8 +19,8 @@ from adagen.tomlfile import Source
 PRESCRIBED = "prescribed"
 """What a joint of known acceleration is priced as, whatever its kind: to forces it is rigid."""
 
-LIMIT = 1e6
-"""Most microseconds that a coefficient may be."""
+LIMIT, LIMIT_OF_SIZES = 1e6, 1e9
+"""Most microseconds that a coefficient may be, and most bytes of a cache."""
 
 REPEATED = "join_repeated"
 """Joins of form `ada`."""
@@ -72,16 +72,17 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "slaved": ("solve", "apply", "column"),
     "limbs": ("two", "four", "nested_inwards", "nested_outwards", "turned"),
     "parts": ("inwards", "outwards", "run", "join", "release"),
-    "process": ("evaluation", "margin"),
+    "process": ("evaluation", "margin", "cache"),
     "unrolled": (
         *("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
         *("evicted", "fits", "cache"),
     ),
 }
-"""Groups with coefficients of their own, times but for five.
+"""Groups with coefficients of their own, times but for six.
 
 ``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` and ``unrolled.fits`` are
-numbers of statements, ``unrolled.cache`` is the size of a core's first instruction cache in bytes.
+numbers of statements, ``unrolled.cache`` is the size of a core's first instruction cache in bytes,
+``process.cache`` that of its second-level cache (adagen/schedule/caches.py).
 
 ``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`);
 ``fetched`` is added for each statement beyond those whose decoded instructions are held, and
@@ -89,9 +90,14 @@ numbers of statements, ``unrolled.cache`` is the size of a core's first instruct
 beginning to end, its instructions displace those that come next.
 """
 
-ASSUMED = {"unrolled.evicted": 0.0, "unrolled.fits": LIMIT, "unrolled.cache": 65536.0}
+ASSUMED = {
+    "unrolled.evicted": 0.0,
+    "unrolled.fits": LIMIT,
+    "unrolled.cache": 65536.0,
+    "process.cache": 2097152.0,
+}
 """What holds where a profile says nothing: it was measured without lines of such a length, and the
-machine's instruction cache is not known."""
+machine's caches are not known."""
 LIKE = {REPEATED: "join"}
 """Groups that a profile may leave out, and the groups whose coefficients hold for them then."""
 
@@ -213,9 +219,14 @@ def block_rows(kind: str) -> float:
 
 
 def check(name: str, value: float) -> None:
-    """Raise ValueError unless a coefficient is a time that can be added up."""
-    if not (math.isfinite(value) and 0 <= value <= LIMIT):
-        raise ValueError(f"{name} must be a number from 0 to {LIMIT:g}")
+    """Raise ValueError unless a coefficient is a time that can be added up, or a cache's size."""
+    if not (math.isfinite(value) and 0 <= value <= _most(name)):
+        raise ValueError(f"{name} must be a number from 0 to {_most(name):g}")
+
+
+def _most(name: str) -> float:
+    """The largest value of a coefficient."""
+    return LIMIT_OF_SIZES if name.endswith(".cache") else LIMIT
 
 
 def read_steps(source: Source, document: Mapping[str, object]) -> StepCosts | None:
@@ -277,7 +288,7 @@ def _table(
 
 def _time(source: Source, table: Mapping[str, object], key: str, *path: str) -> float:
     value = source.number(table, key, *path)
-    if not 0 <= value <= LIMIT:  # nor is nan
-        name = ".".join((*path, key))
-        raise source.error(f"{name} must be a number from 0 to {LIMIT:g}", *path, key)
+    name = ".".join((*path, key))
+    if not 0 <= value <= _most(name):  # nor is nan
+        raise source.error(f"{name} must be a number from 0 to {_most(name):g}", *path, key)
     return value

@@ -16,17 +16,20 @@ from adagen.plan import make_plan
 from adagen.plan.certificate import certified
 from adagen.plan.steps import Join
 from adagen.schedule import Schedule
+from adagen.schedule.caches import swept_in_parts
+from adagen.schedule.costs import StepCosts
 
 
-def parted(schedule: Schedule, model: Model, parts: int) -> Schedule | None:
+def parted(schedule: Schedule, model: Model, parts: int, costs: StepCosts) -> Schedule | None:
     """Return a schedule whose processes sweep their chains in parts; None where none is parted.
 
     Args:
         schedule: who has what.
         model: the robot.
         parts: as many as SIMD lanes; 0: none.
+        costs: with the size of the cache that they lie in.
     """
-    if not parts:
+    if not parts or len(model.joints) > swept_in_parts(costs):
         return None
     found = replace(schedule, parts=parts)
     more = joined(found, model) - joined(schedule, model)

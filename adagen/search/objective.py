@@ -227,15 +227,21 @@ def _tried(plan: Plan) -> float:
     that it has for singular poses, which refinement does not know. Infinite where no digit is
     right.
     """
-    sizes = [0.0]
-    for seed in range(1, min(_TRIALS, -(-_TRIED // len(plan.joints))) + 1):
-        q = generic_configuration(plan.joints, seed)
-        v, tau = (np.sin(step * seed * np.arange(1, plan.nv + 1)) for step in (2.3, 3.1))
-        v *= not plan.at_rest
-        with suppress(UsageError, FloatingPointError):
-            sizes += interpret_refined(plan, q, v, tau, steps=1).corrections
+    seeds = np.arange(1, min(_TRIALS, -(-_TRIED // len(plan.joints))) + 1)
+    q = np.stack([generic_configuration(plan.joints, seed) for seed in seeds.tolist()], axis=-1)
+    v, tau = (np.sin(np.outer(np.arange(1, plan.nv + 1), step * seeds)) for step in (2.3, 3.1))
+    v *= not plan.at_rest
+    try:
+        (sizes,) = interpret_refined(plan, q, v, tau, steps=1).corrections
+    except UsageError:
+        return 0.0
+    except FloatingPointError:  # in one state: what is found in the others counts
+        sizes = np.zeros(1)
+        for state in zip(q.T, v.T, tau.T, strict=True):
+            with suppress(UsageError, FloatingPointError):
+                sizes = np.append(sizes, interpret_refined(plan, *state, steps=1).corrections)
     in_double = EPSILON[plan.scalar] / EPSILON["double"]
-    return max(sizes) * in_double if np.isfinite(sizes).all() else np.inf
+    return float(max(sizes)) * in_double if np.isfinite(sizes).all() else np.inf
 
 
 def _orders(model: Model, found: Schedule, profile: CostProfile) -> Iterator[Schedule]:

@@ -12,8 +12,8 @@ from adagen.emit import program_of
 from adagen.emit.shapes import priced_program
 from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.plan.parts import MOST_IN_LANES
-from adagen.schedule import CostProfile, Host
+from adagen.schedule import CostProfile, Host, step_costs
+from adagen.schedule.caches import solved_in_lanes
 from adagen.schedule.costs import StepCosts
 from adagen.schedule.fat_tree import Network, between_hosts
 from adagen.search.best import best_schedule
@@ -189,7 +189,7 @@ def state_time(model: Model, profile: CostProfile) -> float:
     the lanes: what registers take longer for than numbers is not in it. Long chains are solved
     state by state, their lanes are for parts.
     """
-    in_parts = len(model.joints) > MOST_IN_LANES
+    in_parts = len(model.joints) > solved_in_lanes(step_costs(profile))
     plan = make_plan(model, best_schedule(model, 1, profile, in_parts=in_parts))
     program = program_of(plan, batch=True, profile=profile)
     return timeline(program, profile).makespan / (LANES if program.batch else 1)

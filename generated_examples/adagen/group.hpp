@@ -36,15 +36,15 @@ struct Group {
 };
 
 // Groups that go through each part before the next one, so that its instructions are fetched once
-// for all: as many as fill half of the second-level cache, or many where not even the code fits.
-// One where all instructions fit the first-level cache, as those of four functions and the two
-// around them do: what a group holds then stays in that of data.
+// for all: as many as fill a quarter of the second-level cache, or many where not even the code
+// fits. One where all instructions fit the first-level cache, as those of four functions and the
+// two around them do: what a group holds then stays in that of data.
 constexpr int kGroups = [] {
-  constexpr std::size_t kCache = 1 << 20, kCodeOfPart = 8 << 10, kMost = 8, kFew = 6;
+  constexpr std::size_t kHalf = Settings::kCache / 2, kCodeOfPart = 8 << 10, kMost = 8, kFew = 6;
   constexpr std::size_t kCode = kParts.size() * kCodeOfPart;
   if (kParts.size() <= kFew) return 1;
-  if (kCode + sizeof(Group) > kCache) return static_cast<int>(kMost);
-  return static_cast<int>(std::clamp<std::size_t>(kCache / 2 / sizeof(Group), 1, kMost));
+  if (kCode + sizeof(Group) > kHalf) return static_cast<int>(kMost);
+  return static_cast<int>(std::clamp<std::size_t>(kHalf / 2 / sizeof(Group), 1, kMost));
 }();
 
 }  // namespace

@@ -5,7 +5,7 @@ from __future__ import annotations
 from adagen.cost import Timeline, timeline
 from adagen.plan import Plan
 from adagen.program import lower
-from adagen.schedule.costs import NAMES, ChannelCosts, StepCosts
+from adagen.schedule.costs import ASSUMED, NAMES, ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
 
 WINDOW = ChannelCosts(0.01, 0.07, 0.002)
@@ -16,6 +16,7 @@ def step_costs(cores: tuple[float, ...] = (), **changes: float) -> StepCosts:
     """Return coefficients around 0.05 us; ``group__key=...`` changes one."""
     table = {name: 0.03 + 0.001 * k for k, name in enumerate(NAMES)}
     table["slaved.column"] = 0.1
+    table["process.cache"] = ASSUMED["process.cache"]
     table.update({name.replace("__", "."): value for name, value in changes.items()})
     return StepCosts(table, WINDOW, MESSAGE, cores)
 

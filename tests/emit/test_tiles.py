@@ -14,8 +14,10 @@ from adagen.executor import interpret
 from adagen.model import REVOLUTE, Model
 from adagen.plan.certificate import certified
 from adagen.program import tiles
-from adagen.program.tiles import LONGEST, TILE
+from adagen.program.tiles import TILE
 from adagen.reference import joint_space_inertia
+from adagen.schedule import step_costs
+from adagen.schedule.caches import swept_whole
 from adagen.states import random_states
 from tests.emitted import NARROW, QUICK, Builder, kernels_of, plan_of
 from tests.models import random_tree, serial_chain
@@ -24,7 +26,10 @@ from tests.models import random_tree, serial_chain
 @pytest.fixture
 def soon(monkeypatch: pytest.MonkeyPatch) -> None:
     """Chains are swept tile by tile as soon as there are two tiles."""
-    monkeypatch.setattr(tiles, "LONGEST", TILE)
+    monkeypatch.setattr(tiles, "swept_whole", lambda _: TILE)
+
+
+LONGEST = swept_whole(step_costs(None))
 
 
 def drawn(joints: int, seed: int) -> Model:

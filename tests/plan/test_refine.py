@@ -59,6 +59,19 @@ def test_axes_along_coordinates_are_solved_to_the_last_bit(model: Model, form: s
         assert size / 3 < raw < 3 * size
 
 
+@pytest.mark.parametrize("form", ["ada", "segment"])
+def test_states_at_once_have_the_bits_of_single_ones(form: str) -> None:
+    model = random_tree(np.random.default_rng(2), 7, mimics=1)
+    plan = make_plan(model, random_schedule(model, 2, np.random.default_rng(2)), form=form)
+    sample = random_states(model, 3, seed=3)
+    together = interpret_refined(plan, sample.q.T, sample.v.T, sample.tau.T, 2)
+    assert together.qdd.shape == (model.nv, 3)
+    for s, state in enumerate(sample.each):
+        alone = interpret_refined(plan, *state, 2)
+        assert np.array_equal(together.qdd[:, s], alone.qdd)
+        assert tuple(sizes[s] for sizes in together.corrections) == alone.corrections
+
+
 def test_a_light_link_takes_two_steps_in_form_ada() -> None:
     model = with_light_link(serial_chain(20, radius=0.05), 10, 1e-8)
     for raw, once, twice, size, second in errors(model, "ada", 1, 2):

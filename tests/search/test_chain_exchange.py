@@ -112,14 +112,18 @@ def test_long_chains_exchange_where_that_is_the_fastest(processes: int) -> None:
     assert found.lower_bound <= found.makespan
 
 
+def numbers(model: Model, processes: int, parts: int = 0) -> list[int]:
+    return numbers_of_processes(Topology.of(model), processes, PROFILE.measured, parts)
+
+
 def test_parts_have_two_joints_and_trees_are_not_asked_to_exchange() -> None:
-    assert numbers_of_processes(Topology.of(serial_chain(900)), 16) == [16, 8, 4, 2]
-    assert numbers_of_processes(Topology.of(serial_chain(11)), 8) == [4, 2]
-    assert numbers_of_processes(Topology.of(serial_chain(10)), 4) == [2]
-    assert numbers_of_processes(Topology.of(serial_chain(4)), 4) == []
-    assert numbers_of_processes(Topology.of(binary(6)), 4) == []
-    assert numbers_of_processes(Topology.of(serial_chain(100)), 8, parts=8) == [4, 2]
-    assert numbers_of_processes(Topology.of(serial_chain(9000)), 8, parts=8) == [8, 4]
+    assert numbers(serial_chain(900), 16) == [16, 8, 4, 2]
+    assert numbers(serial_chain(11), 8) == [4, 2]
+    assert numbers(serial_chain(10), 4) == [2]
+    assert numbers(serial_chain(4), 4) == []
+    assert numbers(binary(6), 4) == []
+    assert numbers(serial_chain(100), 8, parts=8) == [4, 2]
+    assert numbers(serial_chain(9000), 8, parts=8) == [8, 4]
 
 
 def test_chains_with_a_slaved_joint_do_not_exchange_and_have_a_schedule() -> None:

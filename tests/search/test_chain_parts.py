@@ -15,10 +15,10 @@ from adagen.library.scheduling import schedule_of
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.certificate import certified
-from adagen.plan.parts import MOST_IN_LANES
 from adagen.plan.steps import Join
 from adagen.program.lower import lower
 from adagen.schedule import Topology, load_profile, schedule_to_json
+from adagen.schedule.caches import solved_in_lanes
 from adagen.search import best_schedule, predicted_time, schedule_from_json
 from adagen.search.chain_parts import certifies, joined, keeps_digits
 from tests.links import with_light_link
@@ -148,7 +148,7 @@ def test_certified_chains_stay_whole_where_loops_cannot_weigh_parts() -> None:
 
 def test_batches_of_long_chains_are_in_parts() -> None:
     """State by state, where as many states as there are lanes would not fit the cache."""
-    model = hinges(MOST_IN_LANES + 1, seed=2)
+    model = hinges(solved_in_lanes(XEON.measured) + 1, seed=2)
     assert schedule_of(model, Request(profile="xeon", batch=True)).parts == 8
     assert schedule_of(model, Request(profile="xeon", batch=True, parts="none")).parts == 0
 

@@ -6,6 +6,7 @@ import json
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from adagen.emit.shapes import chosen_shape
 from adagen.executor import interpret
 from adagen.executor.join_digits import predicted_growth
 from adagen.executor.program_states import program_states
+from adagen.executor.refine import Refined, interpret_refined
 from adagen.executor.trial import accelerations, carried_out, tried
 from adagen.model import SPHERICAL, Model
 from adagen.plan import Plan, make_plan
@@ -242,3 +244,17 @@ def test_accuracy_and_time_differ_on_a_real_robot(scalar: str) -> None:
     assert errors[0] > 5 * errors[1]  # of the line's hardest state one rounding in ten loses 4e-11
     assert chosen_shape(plan, suited_shape("both", plan)) == "kernels"
     assert chosen_shape(plan, suited_shape("accuracy", plan)) == "unrolled"
+
+
+def test_where_one_state_fails_the_others_are_tried_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    model = serial_chain(9)
+    plan = plan_of(model, 2)
+    found, alone = predicted_digits("both", model, plan), interpret_refined
+
+    def failing(plan: Plan, q: Any, v: Any, tau: Any, steps: int) -> Refined:
+        if q.ndim > 1:
+            raise FloatingPointError("factorization failed")
+        return alone(plan, q, v, tau, steps)
+
+    monkeypatch.setattr("adagen.search.objective.interpret_refined", failing)
+    assert predicted_digits("both", model, plan) == found

@@ -51,6 +51,8 @@ struct PlainSettings {
   [[maybe_unused]] static constexpr bool kGivesAll = true;
   // Whether many states are solved at once.
   [[maybe_unused]] static constexpr bool kBatch = false;
+  // Bytes of a core's second-level cache, by the profile of costs.
+  [[maybe_unused]] static constexpr std::size_t kCache = 2097152;
   // Steps of iterative refinement.
   [[maybe_unused]] static constexpr int kRefine = 0;
   // Whether their residuals are found in wider numbers.
