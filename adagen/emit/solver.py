@@ -257,7 +257,6 @@ def _macros(plan: Plan, values: Mapping[str, object]) -> list[str]:
         "ADAGEN_CERTIFIED": plan.certified,
         "ADAGEN_REFINES": values["refine"],
         "ADAGEN_RECOVERS": values.get("recovery"),
-        "ADAGEN_EACH_ITS_WAY": values.get("each_its_way"),
         "ADAGEN_SETS_GRAVITY": plan.entry_of_parameter("gravity") is not None,
         **{f"ADAGEN_SETS_{what.upper()}": what in settable for what in ("mass", "center")},
     }

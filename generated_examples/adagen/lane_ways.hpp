@@ -4,24 +4,17 @@
 #define ADAGEN_BATCH  // read alone, it is of a solver for batches
 #endif
 
-#include <array>
 #include <cstddef>
 
 #include "kernels/lanes.hpp"
-#include "sizes.hpp"
-#include "value.hpp"
 
 namespace {
 
 struct Workspace;
 
-// In reproducible batches, a state goes the way that it would go alone: in a pose that one cannot
-// stand, its lane has its answer of a later one.
+// Lanes whose pose the way that they go cannot stand, and those that it refuses.
 struct LaneWays {
-  LaneBits done{}, poor{}, refused{};  // lanes that have an answer, and what became of the others
-  std::array<Value, kNqdd> result{};   // of those that have one
-  std::array<Value, 2> certificate{};
-  void begin() { done = poor = refused = LaneBits{}; }
+  LaneBits poor{}, refused{};
 };
 
 // The functions that go a way one after the other; the last one gives results.

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
-from itertools import count
+from collections.abc import Sequence
 
 from adagen.emit import guards
 from adagen.emit.messages import describe_message, message_size
@@ -70,7 +69,6 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
     functions = any(row.calls_functions() for row in rows)
     own = plan.reproducible  # sines and tangents, not those of the C library
     again = texts[len(plan.processes) :]
-    each_its_way = own and bool(symbols.batch and again)
     return {
         "runtime": [
             *["reproducible.hpp"] * own,
@@ -82,10 +80,7 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         + ["multiply_add_lanes.hpp"] * (own and bool(symbols.batch or wide)),
         "unrolled": texts[: len(plan.processes)],
         "recovery": again,
-        "each_its_way": each_its_way,
-        "again": [(text, *names) for text, names in zip(again, _names_of_ways(), strict=False)]
-        if each_its_way
-        else [(text, "_again", "kRecoverParts") for text in again[:1]],
+        "again": [(text, f"_again_{k}", f"kRecoverParts_{k}") for k, text in enumerate(again)],
         "places": max((row.arrangement.places for row in rows), default=0),
         "swept": bool(swept),
         "angle_count": angle_count,
@@ -95,11 +90,6 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         "near_lock": not symbols.batch and any(c.near for s in line for c in s.machine.checks),
         "wide_results": max((row.results.lanes for row in rows), default=0),
     }
-
-
-def _names_of_ways() -> Iterator[tuple[str, str]]:
-    """Yield what ends the names of functions for further ways, and names of what a way does."""
-    return ((f"_again_{k}", f"kRecoverParts_{k}") for k in count())
 
 
 def _recovering(symbols: Symbols, plans: Sequence[Plan]) -> list[Grouping]:

@@ -14,7 +14,6 @@ namespace {
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{};
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRecover{};
 constexpr std::array<void (*)(Workspace&), 2> kParts{};
-constexpr std::array<void (*)(Workspace&), 2> kRecoverParts{};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{};
 constexpr std::array<StageInfo, 1> kStages_0{};
 

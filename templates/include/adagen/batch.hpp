@@ -28,8 +28,9 @@
 namespace {
 
 // Solves many states: at once, one in each lane of a register, or one after the other, where its
-// Value is one number. Each process solves states of its
-// own; where process 0 has them all, it hands them out (handout.hpp).
+// Value is one number. Each process solves states of its own; where process 0 has them all, it
+// hands them out (handout.hpp). Some solvers have several ways to solve a state: those whose poses
+// one cannot stand are put side by side and go the next one.
 class Solver {
   // Reads the parameters that come with states.
   auto take_parameters() {
@@ -133,25 +134,50 @@ class Solver {
     text.clear();
   }
 
+  // States one after the other, their accelerations and, unless that is null, what bounds errors.
+  struct Rows {
+    const Number *q, *v, *tau;
+    Number* qdd;
+    double* bounds;
+  };
+
   // Returns whether all states could be solved.
   bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
                   double* bounds) {
+    const Rows rows{q, v, tau, qdd, bounds};
     bool good = true;
-#if defined(ADAGEN_RECOVERS) && !defined(ADAGEN_EACH_ITS_WAY)
-    tried_ = poor_ = 0;
-#endif
-    for (int first = 0, groups; first < count; first += groups * kTogether) {
-      groups = std::min(at_once(), (count - first + kTogether - 1) / kTogether);
+    begin_ways();
+    for (int first = 0, states; first < count; first += states) {
+      states = std::min(at_once() * kTogether, count - first);
+      good &= solve_some(first_way(), rows, first, states);
+      good &= make_room(rows);
+    }
+    return solve_kept(rows) && good;
+  }
+
+  // Those from the one numbered first on, at most as many as all groups have lanes, a first way.
+  bool solve_some(std::size_t way, const Rows& rows, int first, int states) {
+    const int groups = (states + kTogether - 1) / kTogether;
+    for (int g = 0; g < groups; ++g) {
+      const int at = g * kTogether;
+      take(groups_[size(g)], first + at, std::min(kTogether, states - at), rows.q, rows.v,
+           rows.tau);
+    }
+    std::array<bool, kGroups> well;
+    {
+      [[maybe_unused]] const TinyAreZero tiny;
+      go(way, groups);
       for (int g = 0; g < groups; ++g) {
-        const int at = first + g * kTogether;
-        take(groups_[size(g)], at, std::min(kTogether, count - at), q, v, tau);
+        const int at = g * kTogether;
+        well[size(g)] =
+            ends_well(way, groups_[size(g)].w, rows, first + at, std::min(kTogether, states - at));
       }
-      run(groups);
-      for (int g = 0; g < groups; ++g) {
-        const int at = first + g * kTogether;
-        good &= give(groups_[size(g)], std::min(kTogether, count - at), qdd + size(at) * kNqdd,
-                     bounds == nullptr ? nullptr : bounds + at);
-      }
+    }
+    bool good = true;
+    for (int g = 0; g < groups; ++g) {
+      const int at = g * kTogether;
+      give(groups_[size(g)], well[size(g)], rows, first + at, std::min(kTogether, states - at));
+      good &= well[size(g)];
     }
     return good;
   }
@@ -164,14 +190,16 @@ class Solver {
     to_lanes(states, tau + size(first) * kNtau, group.tau);
   }
 
-  // Where a group fails, each of its states is tried once more, by itself; returns whether all were
-  // solved.
-  bool give(Group& group, int states, Number* qdd, double* bounds) {
-    if (group.w.status == kFine) {
-      to_rows(states, group.qdd, qdd);
-      for (int s = 0; s < states && bounds != nullptr; ++s) bounds[s] = bound_of_state(group, s, 0);
-      return true;
-    }
+  // Where a group fails, each of its states is tried once more, by itself.
+  void give(Group& group, bool well, const Rows& rows, int first, int states) {
+    Number* const qdd = rows.qdd + size(first) * kNqdd;
+    double* const bounds = rows.bounds == nullptr ? nullptr : rows.bounds + first;
+    if (!well) return give_one_by_one(group, states, qdd, bounds);
+    to_rows(states, group.qdd, qdd);
+    for (int s = 0; s < states && bounds != nullptr; ++s) bounds[s] = bound_of_state(group, s, 0);
+  }
+
+  void give_one_by_one(const Group& group, int states, Number* qdd, double* bounds) {
     Group& alone = groups_.front();
     const auto all_q = group.q;
     const auto all_v = group.v;
@@ -179,7 +207,7 @@ class Solver {
     for (int s = 0; s < states; ++s, qdd += kNqdd) {
       everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
       everywhere(alone.tau, all_tau, s);
-      const bool solved = run(1) == kFine;
+      const bool solved = solve_first() == kFine;
       if (solved)
         to_rows(1, alone.qdd, qdd);
       else
@@ -187,7 +215,6 @@ class Solver {
       if (bounds != nullptr)
         bounds[s] = solved ? bound_of_state(alone, 0, 0) : std::numeric_limits<double>::quiet_NaN();
     }
-    return false;
   }
 
   // Tries the states that have no accelerations once more, each by itself; returns the first
@@ -198,7 +225,7 @@ class Solver {
       const Number first = qdd[size(s) * kNqdd + first_computed()];
       if (first == first) continue;
       take(groups_.front(), s, 1, q, v, tau);
-      const int status = run(1);
+      const int status = solve_first();
       if (count_ < kKept) failures_[size(count_)] = {s, status};
       ++count_;
     }
@@ -236,106 +263,165 @@ class Solver {
       for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
   }
 
-  // Returns how the first group fares.
-  int run(int groups) {
-    for (int g = 0; g < groups; ++g) {
-      Group& group = groups_[size(g)];
-      group.w.q = group.q.data(), group.w.v = group.v.data();
-      group.w.tau = group.tau.data(), group.w.qdd = group.qdd.data();
-      group.w.status = kFine;
-    }
-    [[maybe_unused]] const TinyAreZero tiny;
-#if defined(ADAGEN_EACH_ITS_WAY)
-    go_each_its_way(groups);
-#elif defined(ADAGEN_RECOVERS)
-    std::array<bool, kGroups> poor;
-    poor.fill(true);
-    if (2 * poor_ <= tried_) {
-      go_through(kParts, groups, poor);
-      for (int g = 0; g < groups; ++g) {
-        int& status = groups_[size(g)].w.status;
-        poor[size(g)] = failure_kind(status) == kSingularPose;
-        if (poor[size(g)]) status = kFine, ++poor_;
-      }
-      tried_ += groups;
-    }
-    go_through(kRecoverParts, groups, poor);
+  static void begin(Group& group) {
+    group.w.q = group.q.data(), group.w.v = group.v.data();
+    group.w.tau = group.tau.data(), group.w.qdd = group.qdd.data();
+    group.w.status = kFine;
+#if defined(ADAGEN_RECOVERS)
+    group.w.ways = LaneWays{};
+#endif
+  }
+
+#if defined(ADAGEN_RECOVERS)
+  static constexpr int kAtOnce = kGroups * kTogether, kRoom = std::max(2 * kAtOnce, 4 * kTogether);
+
+  // States that go a way because one before cannot stand their poses, side by side, so that lanes
+  // are full; and which states of the call they are.
+  struct Kept {
+    int count = 0;
+    std::array<int, kRoom> state{};
+    std::array<Number, kRoom * kNq> q{};
+    std::array<Number, kRoom * kNv> v{};
+    std::array<Number, kRoom * kNtau> tau{};
+    std::array<Number, kRoom * kNqdd> qdd{};
+    std::array<double, kRoom> bounds{};
+  };
+  Kept& kept(std::size_t way) { return kept_[way - 1]; }
+
+  void begin_ways() {
+    tried_ = left_ = 0;
+    for (Kept& each : kept_) each.count = 0;
+  }
+
+  // How many groups are next: one that shows which way to go, then as many as there are.
+  int at_once() const { return tried_ == 0 ? 1 : kGroups; }
+
+  // Where answers are to have the same bits, a state goes the ways that it goes alone. Otherwise,
+  // if the first way is left by more than half of the states of a call, the rest do not try it.
+  std::size_t first_way() const {
+#if defined(ADAGEN_REPRODUCIBLE)
+    return 0;
 #else
+    return 2 * left_ > tried_ ? 1 : 0;
+#endif
+  }
+
+  // Has some groups go a way but for its last function, which gives results.
+  void go(std::size_t way, int groups) {
+    for (int g = 0; g < groups; ++g) begin(groups_[size(g)]);
+    const Way& own = kWays[way];
+    for (std::size_t k = 0; k + 1 < own.count; ++k)
+      for (int g = 0; g < groups; ++g) own.parts[k](groups_[size(g)].w);
+  }
+
+  // The last function of a way; returns whether all is well.
+  static bool ends(std::size_t way, Workspace& w) {
+    const Way& own = kWays[way];
+    own.parts[own.count - 1](w);
+    return w.status == kFine;
+  }
+
+  // Whether states of a group leave a way, and all others are solved.
+  static bool is_left(std::size_t way, const Workspace& w) {
+    const LaneWays& lanes = w.ways;
+    return way + 1 < kWays.size() && any_of(lanes.poor) && !any_of(lanes.refused & ~lanes.poor);
+  }
+
+  // Ends a way; keeps the states that leave it for the next one. Their lanes hold nothing then.
+  bool ends_well(std::size_t way, Workspace& w, const Rows& rows, int first, int states) {
+    if (way == 0) tried_ += states;
+    if (!is_left(way, w)) return ends(way, w);
+    const LaneBits poor = w.ways.poor;
+    for (Value& x : w.result) x = chosen(poor, Value{}, x);
+#if defined(ADAGEN_CERTIFIED)
+    for (Value& x : w.certificate) x = chosen(poor, Value{}, x);
+#endif
+    w.status = kFine;
+    if (!ends(way, w)) return false;
+    for (int s = 0; s < states; ++s)
+      if (poor[s]) keep(way + 1, rows, first + s);
+    return true;
+  }
+
+  // The row numbered k of those that went the way before.
+  void keep(std::size_t way, const Rows& rows, int k) {
+    Kept& next = kept(way);
+    const std::size_t at = size(next.count++), row = size(k);
+    next.state[at] = way == 1 ? k : kept(way - 1).state[row];
+    std::copy_n(rows.q + row * kNq, kNq, next.q.data() + at * kNq);
+    if constexpr (!Settings::kAtRest)
+      std::copy_n(rows.v + row * kNv, kNv, next.v.data() + at * kNv);
+    std::copy_n(rows.tau + row * kNtau, kNtau, next.tau.data() + at * kNtau);
+    if (way == 1) ++left_;
+  }
+
+  // Room for as many as may leave the first way, or another one, at once.
+  bool make_room(const Rows& all, std::size_t way = 1) {
+    return way == kWays.size() || kept(way).count <= kRoom - kAtOnce || solve_kept(way, all);
+  }
+
+  bool solve_kept(const Rows& all) {
+    bool good = true;
+    for (std::size_t way = 1; way < kWays.size(); ++way) good &= solve_kept(way, all);
+    return good;
+  }
+
+  // Solves the states that are kept for a way, and gives their answers to the call's states.
+  bool solve_kept(std::size_t way, const Rows& all) {
+    Kept& own = kept(way);
+    const bool bounded = all.bounds != nullptr;
+    const Rows rows{own.q.data(), own.v.data(), own.tau.data(), own.qdd.data(),
+                    bounded ? own.bounds.data() : nullptr};
+    bool good = true;
+    for (int first = 0, states; first < own.count; first += states) {
+      states = std::min(kAtOnce, own.count - first);
+      good &= solve_some(way, rows, first, states);
+      for (int k = first; k < first + states; ++k) {
+        const std::size_t state = size(own.state[size(k)]);
+        std::copy_n(own.qdd.data() + size(k) * kNqdd, kNqdd, all.qdd + state * kNqdd);
+        if (bounded) all.bounds[state] = own.bounds[size(k)];
+      }
+      good &= make_room(all, way + 1);
+    }
+    own.count = 0;
+    return good;
+  }
+
+  // Solves the one state that all lanes of the first group have; returns how it fares.
+  int solve_first() {
+    [[maybe_unused]] const TinyAreZero tiny;
+    Workspace& w = groups_.front().w;
+    std::size_t way = 0;
+    for (go(way, 1); is_left(way, w); go(way, 1)) ++way;
+    ends(way, w);
+    return w.status;
+  }
+
+  int tried_ = 0, left_ = 0;  // states of a call that went the first way; those that left it
+  std::array<Kept, kWays.size() - 1> kept_;
+#else
+  static void begin_ways() {}
+  static int at_once() { return kGroups; }
+  static std::size_t first_way() { return 0; }
+
+  void go(std::size_t, int groups) {
+    for (int g = 0; g < groups; ++g) begin(groups_[size(g)]);
     for (const auto part : kParts)
       for (int g = 0; g < groups; ++g) part(groups_[size(g)].w);
-#endif
+  }
+
+  static bool ends_well(std::size_t, const Workspace& w, const Rows&, int, int) {
+    return w.status == kFine;
+  }
+
+  static bool make_room(const Rows&) { return true; }
+  static bool solve_kept(const Rows&) { return true; }
+
+  int solve_first() {
+    [[maybe_unused]] const TinyAreZero tiny;
+    go(0, 1);
     return groups_.front().w.status;
   }
-
-  // How many groups are next: one that shows which way to go, if there are several.
-  int at_once() const {
-#if defined(ADAGEN_RECOVERS) && !defined(ADAGEN_EACH_ITS_WAY)
-    if (tried_ == 0) return 1;
-#endif
-    return kGroups;
-  }
-
-#if defined(ADAGEN_EACH_ITS_WAY)
-  // Groups go the first way; those in which it cannot stand a pose of a state go the next, too.
-  void go_each_its_way(int groups) {
-    std::array<bool, kGroups> left;
-    left.fill(true);
-    for (int g = 0; g < groups; ++g) groups_[size(g)].w.ways.begin();
-    for (const Way& way : kWays) {
-      for (std::size_t k = 0; k + 1 < way.count; ++k)
-        for (int g = 0; g < groups; ++g)
-          if (left[size(g)]) way.parts[k](groups_[size(g)].w);
-      for (int g = 0; g < groups; ++g) {
-        Workspace& w = groups_[size(g)].w;
-        if (left[size(g)] && !(left[size(g)] = goes_on(w))) way.parts[way.count - 1](w);
-      }
-    }
-  }
-
-  // Returns whether a state of a group is to go the next way; what the others gave is kept.
-  static bool goes_on(Workspace& w) {
-    LaneWays& ways = w.ways;
-    if (any_of(ways.refused & ~ways.poor)) {  // its states are solved one by one
-      if (failure_kind(w.status) == kSingularPose) w.status = failure(kLoopSingular, 0);
-      return false;
-    }
-    const bool more = any_of(ways.poor);
-    if (!more && !any_of(ways.done)) return false;
-    const LaneBits solved = ~(ways.poor | ways.done);
-    take_in(ways.result, w.result, solved);
-#if defined(ADAGEN_CERTIFIED)
-    take_in(ways.certificate, w.certificate, solved);
-#endif
-    if (more) {
-      ways.done |= solved;
-      ways.poor = ways.refused = LaneBits{};
-      w.status = kFine;
-      return true;
-    }
-    w.result = ways.result;
-#if defined(ADAGEN_CERTIFIED)
-    w.certificate = ways.certificate;
-#endif
-    return false;
-  }
-
-  // Some lanes of values.
-  template <class Values>
-  static void take_in(Values& to, const Values& from, const LaneBits& lanes) {
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] = chosen(lanes, from[k], to[k]);
-  }
-#elif defined(ADAGEN_RECOVERS)
-  // Some of the groups go through all parts.
-  template <class Parts>
-  void go_through(const Parts& parts, int groups, const std::array<bool, kGroups>& which) {
-    for (const auto part : parts)
-      for (int g = 0; g < groups; ++g)
-        if (which[size(g)]) part(groups_[size(g)].w);
-  }
-
-  // Groups of a call that went the first way, and those of them in which it cannot stand a pose. If
-  // that is more than half of them, the rest of the call goes the other way at once.
-  int tried_ = 0, poor_ = 0;
 #endif
 
   std::array<Group, kGroups> groups_;

@@ -52,12 +52,10 @@ const Real* heard(Workspace& w, AnyChannel& channel, int k) {
 }
 #endif
 
-#if defined(ADAGEN_EACH_ITS_WAY)
-// A test of lanes counts for those that have no answer yet.
+#if defined(ADAGEN_BATCH) && defined(ADAGEN_RECOVERS)
 inline void require_all(Workspace& w, const LaneBits& good, Failure kind, int joint) {
-  const LaneBits bad = ~good & ~w.ways.done;
-  if (__builtin_expect(!any_of(bad), 1)) return;
-  (kind == kSingularPose ? w.ways.poor : w.ways.refused) |= bad;
+  if (__builtin_expect(all(good), 1)) return;
+  (kind == kSingularPose ? w.ways.poor : w.ways.refused) |= ~good;
   fail(w, kind, joint);
 }
 #define ADAGEN_REQUIRE(w, good, also, kind, joint) require_all(w, (good) & (also), kind, joint)
