@@ -10,6 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from adagen.emit.unrolled.computed_again import compute_again
 from adagen.emit.unrolled.order import Pace, in_functions, limit_of_functions
 from adagen.executor import KEPT, RECEIVED, SINGULAR, Check, Machine, Simulated
 from adagen.graph import Node, live_nodes
@@ -111,6 +112,8 @@ def arranged(
     chunks = [chunk for each in (*stretches.values(), after) for chunk in each.chunks]
     computed = (index for chunk in chunks for index in chunk.values)
     turns = {index: turn for turn, index in enumerate(computed)}
+    if costs is None:
+        compute_again(machine.graph, chunks, {root.index for root in machine.roots()})
     return Arrangement(stretches, _assign_places(machine, chunks, turns, kept), turns, after)
 
 
@@ -178,7 +181,7 @@ def _assign_places(
         for index in chunk.values:
             if index in left:
                 place[index] = chunk.stores[index] = left[index]
-            elif index in users:
+            elif index in users and index not in place:  # where it is computed first
                 width = nodes[index].width
                 if not free[width]:
                     first = -(-count // width) * width
@@ -196,7 +199,10 @@ def _users_beyond(
     machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int, int]
 ) -> dict[int, list[int]]:
     """For each value, the later chunks that use it, in order."""
-    home = {index: k for k, chunk in enumerate(chunks) for index in chunk.values}
+    home: dict[int, int] = {}
+    for k, chunk in enumerate(chunks):
+        for index in chunk.values:
+            home.setdefault(index, k)
     partners: dict[int, list[int]] = defaultdict(list)  # what is looked at together
     for check in machine.checks:
         *others, last = looked_at(check, turns) or [-1]
@@ -205,7 +211,7 @@ def _users_beyond(
     for k, chunk in enumerate(chunks):
         wanted = {arg for index in chunk.values for arg in machine.graph.nodes[index].args}
         wanted.update(partner for index in chunk.values for partner in partners[index])
-        for arg in sorted(wanted):
+        for arg in sorted(wanted.difference(chunk.values)):
             if home.get(arg, k) != k:
                 users[arg].append(k)
     return users
