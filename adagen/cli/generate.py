@@ -118,6 +118,9 @@ def options_of(argv: Sequence[str]) -> argparse.Namespace:
     return options
 
 
+_BATCH = "the time of batches is not predicted: the program's --time measures it"
+
+
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen MODEL`` with the given arguments; return the exit status."""
     options = options_of(argv)
@@ -129,7 +132,7 @@ def run(argv: Sequence[str]) -> int:
     try:
         model = pipeline.read_model(options, stages, options.gravity)
         made = pipeline.generate(model, options, stages)
-        line = prediction(made.schedule, made.timeline)
+        line = _BATCH if options.batch else prediction(made.schedule, made.timeline)
         with stages.stage("write"):
             written = made.write(options.out)
     finally:

@@ -209,6 +209,15 @@ class TestGenerate:
         assert told["predicted_us"] > 0.0 and told["digits"] > 9.0
         assert told["warnings"] == err.splitlines()
 
+    def test_no_time_is_predicted_of_a_batch(self, arm: Path, tmp_path: Path, said: Said) -> None:
+        """That of one state by itself would be twenty times as long."""
+        words = [str(arm), "--batch", "--out", str(tmp_path / "o")]
+        assert main(words) == 0
+        err = " ".join(said()[1].split())
+        assert "the time of batches is not predicted" in err and "us predicted" not in err
+        assert main([*words, "--json", "--quiet"]) == 0
+        assert json.loads(said()[0])["predicted_us"] is None
+
     def test_the_stages_are_timed_for_who_asks(self, arm: Path, tmp_path: Path, said: Said) -> None:
         assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "o"), "-v"]) == 0
         line = " ".join(said()[1].partition("stages: ")[2].split())  # which may be wrapped
