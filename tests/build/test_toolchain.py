@@ -13,7 +13,7 @@ from adagen.build import toolchain as module
 from adagen.errors import EnvironmentFault
 
 PLAIN = {"PATH": os.environ["PATH"]}
-SAID = {"OMPI_MCA_osc": "^ucx", "OMPI_MCA_btl": "^ofi"}
+SAID = {"OMPI_MCA_osc": "^ucx", "OMPI_MCA_btl": "^ofi", "OMPI_MCA_mtl": "^ofi"}
 
 
 def program(path: Path, text: str = "exit 0") -> Path:
@@ -144,6 +144,18 @@ class TestMissing:
 
 
 class TestEnvironment:
+    @pytest.fixture(autouse=True)
+    def fabrics(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+        """The folder of fabrics of a machine that has none."""
+        monkeypatch.setattr(module, "FABRICS", (tmp_path / "fabrics",))
+        return tmp_path / "fabrics"
+
+    def test_where_there_is_a_fabric_messages_may_take_it(self, fabrics: Path) -> None:
+        fabrics.mkdir()
+        assert mpi_environment({}, 1000) == SAID
+        (fabrics / "hfi1_0").mkdir()
+        assert mpi_environment({}, 1000) == {k: SAID[k] for k in SAID if k != "OMPI_MCA_mtl"}
+
     def test_root_is_allowed_quietly_and_nobody_else_is_touched(self) -> None:
         root = {
             f"{tool}_ALLOW_RUN_AS_ROOT{suffix}": "1"
