@@ -75,7 +75,7 @@ def _poor_parts(model: Model, samples: Array) -> dict[int, float]:
             rows = sampled_rows(model, one, samples)
             moved = tuple(rows.columns.index(c) for c in first.moved)
             offer = moved, tuple(rows.rows.index(r) for r in first.rows)
-            losses = np.array([largest(offer, each) for each in rows.own])
+            losses = largest(offer, rows.own)
             poor = max(poor, float((losses > LARGE).mean()))
         found.update(dict.fromkeys(one.members, poor))
     return found
@@ -158,7 +158,7 @@ def _ending_early(model: Model, one: LoopGroup, samples: Array, poor: float) -> 
         offer for offer in offers_of(rows.own, depths_of(model, one.path), whole=True) if offer[0]
     ]
     pattern = np.abs(matrices[:, :, : len(counted)]).max(axis=0) > 0.0
-    losses = [np.array([largest(offer, each, counted) for each in matrices]) for offer in offers]
+    losses = [largest(offer, matrices, counted) for offer in offers]
     light = uncovered(offers, rows.own, inertias_of(model, rows.columns))
     fine = [k for k in light if float((losses[k] > LARGE).mean()) <= poor]
     if not fine:

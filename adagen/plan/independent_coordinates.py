@@ -53,7 +53,7 @@ def chosen(
     """
     pattern = np.abs(samples).max(axis=0) > 0.0
     offers = offers_of(samples, depths, whole=whole)
-    losses = [np.array([largest(offer, each) for each in samples]) for offer in offers]
+    losses = [largest(offer, samples) for offer in offers]
     fine = uncovered(offers, samples, inertias)
     best = min(fine, key=lambda k: expected(offers[k], pattern, losses[k]))
     kept = list(dict.fromkeys(rows for _, rows in offers))
@@ -158,28 +158,34 @@ def _work(offer: tuple[Numbers, Numbers], pattern: Array) -> int:
 
 
 def largest(
-    offer: tuple[Numbers, Numbers], matrix: Array, counted: Sequence[int] | None = None
-) -> float:
-    """Return the largest entry of G by a choice; infinity where kept rows do not give all rows.
+    offer: tuple[Numbers, Numbers], samples: Array, counted: Sequence[int] | None = None
+) -> Array:
+    """Return the largest entries of G by a choice; infinity where kept rows do not give all rows.
 
     Args:
         offer: columns and rows.
-        matrix: J of one state.
+        samples: J of S states, shape (S, rows, columns).
         counted: columns of G that count; all if not given.
+
+    Returns:
+        One for each state, shape (S,).
     """
     columns, rows = map(list, offer)
-    others = [c for c in range(matrix.shape[1]) if c not in columns]
-    left = [r for r in range(len(matrix)) if r not in rows]
-    square = matrix[np.ix_(rows, columns)]
-    if len(square) and np.linalg.svd(square, compute_uv=False)[-1] < VANISHING:
-        return np.inf
-    follows = np.linalg.solve(square, matrix[np.ix_(rows, others)])
-    rest = matrix[np.ix_(left, others)] - matrix[np.ix_(left, columns)] @ follows
-    if float(np.abs(rest).max(initial=0.0)) > 1e-6:
-        return np.inf
+    others = [c for c in range(samples.shape[2]) if c not in columns]
+    left = [r for r in range(samples.shape[1]) if r not in rows]
+    found = np.full(len(samples), np.inf)
+    square = samples[:, rows][:, :, columns]
+    fine = np.arange(len(samples))
+    if rows:
+        fine = np.flatnonzero(np.linalg.svd(square, compute_uv=False)[:, -1] >= VANISHING)
+    matrix = samples[fine]
+    follows = np.linalg.solve(square[fine], matrix[:, rows][:, :, others])
+    rest = matrix[:, left][:, :, others] - matrix[:, left][:, :, columns] @ follows
+    held = np.abs(rest).max(axis=(1, 2), initial=0.0) <= 1e-6
     if counted is not None:
-        follows = follows[:, [k for k, c in enumerate(others) if c in counted]]
-    return float(np.abs(follows).max(initial=0.0))
+        follows = follows[:, :, [k for k, c in enumerate(others) if c in counted]]
+    found[fine[held]] = np.abs(follows[held]).max(axis=(1, 2), initial=0.0)
+    return found
 
 
 def covered(offer: tuple[Numbers, Numbers], matrix: Array, inertia: Array) -> float:

@@ -33,7 +33,7 @@ def test_of_choices_that_are_as_good_the_outermost_joints_follow() -> None:
     for samples in (np.array([ROW, ROW]), np.array([[[0.93, 0.97, 0.95]], [[1.0, 0.9, 0.98]]])):
         offers = [((k,), (0,)) for k in range(3)]
         pattern = np.abs(samples).max(axis=0) > 0.0
-        sizes = [np.array([largest(offer, each) for each in samples]) for offer in offers]
+        sizes = [largest(offer, samples) for offer in offers]
         best = min(range(3), key=lambda k: expected(offers[k], pattern, sizes[k]))
         assert offers[best] == ((2,), (0,))
 
