@@ -233,8 +233,11 @@ def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[
             return tuple(sorted(columns)), tuple(sorted(rows))
         # Alike arms have entries that differ by rounding alone, and that depends on the processor.
         seen = np.round(sizes / largest, SAME)
-        good = np.argwhere(seen >= (near if weights else 1.0)).tolist()
-        r, c = min(good, key=lambda rc: (weights[rc[1]] if weights else 0, -seen[rc[0], rc[1]], rc))
+        seen[seen < (near if weights else 1.0)] = 0.0
+        if weights:
+            heavy = np.where(seen.any(axis=0), weights, np.inf)
+            seen[:, heavy > heavy.min()] = 0.0
+        r, c = map(int, np.unravel_index(int(seen.argmax()), seen.shape))
         columns.append(c)
         rows.append(r)
         left = left - np.outer(left[:, c], left[r]) / left[r, c]
