@@ -134,6 +134,12 @@ class Builder:
         alone = f"#define ADAGEN_NO_MAIN\n{source}"
         return self._kept(alone, f"{stem}.o", (*STANDARD, *WARNINGS, *more))
 
+    def library(self, source: str, flags: Sequence[str]) -> Path:
+        """Return a shared library of a source, without its program, with the tool's own flags."""
+        more = ("-shared", "-fPIC", "-Wl,-Bsymbolic", *flags)
+        alone = f"#define ADAGEN_NO_MAIN\n{joined(source)}"
+        return self._kept(alone, "solver.so", (*self.toolchain.flags, *more))
+
     def _parsed(self, source: str, flags: Sequence[str]) -> Path:
         """Return a header that includes what all solvers do, with Eigen and MPI if this one does.
 

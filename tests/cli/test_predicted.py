@@ -22,6 +22,7 @@ from adagen.search import best_schedule
 from tests.cli.robots import write_arm
 from tests.cost.costs import step_profile
 from tests.models import serial_chain
+from tests.slow import slow
 
 
 @pytest.fixture
@@ -184,9 +185,9 @@ def test_a_proof_is_told_of_the_price_that_was_searched_and_of_no_other() -> Non
     ("registers", "noted"),
     [
         (Registers(256, halved=False), True),
-        (Registers(256, halved=True), False),
+        slow(Registers(256, halved=True), False),
         (Registers(512, halved=False), False),
-        (None, False),
+        slow(None, False),
     ],
 )
 def test_narrow_registers_are_noted_where_a_chain_is_in_parts(

@@ -24,6 +24,7 @@ from tests.executor.test_lines import mixed_groupings
 from tests.models import human_figure, random_tree, star
 from tests.scene.effects import with_effects, with_wrenches
 from tests.schedules import random_schedule
+from tests.slow import all_but
 
 PLAIN = [name for name, case in CASES.items() if may_share(case.plan("double"))]
 
@@ -69,7 +70,7 @@ def some_robot(seed: int) -> Model:
     return with_wrenches(with_effects(tree, rng, "drp"), rng)
 
 
-@pytest.mark.parametrize("seed", range(9))
+@pytest.mark.parametrize("seed", all_but(range(9), 3, 4, 6, 7))  # robots that others have, too
 def test_plans_of_a_robot_do_not_change_the_counts_of_others(seed: int) -> None:
     model, rng = some_robot(seed), np.random.default_rng(seed)
     found = []

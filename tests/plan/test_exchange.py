@@ -37,6 +37,7 @@ from tests.models import Part, assemble, random_inertia, random_tree, serial_cha
 from tests.plan.test_fused import balanced
 from tests.plan.test_gather import by_process, error
 from tests.schedules import random_schedule
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 
@@ -256,7 +257,7 @@ def test_joints_past_links_without_mass_do_not_exchange() -> None:
         make_plan(model, balanced(model, 2, "segment"), meeting="exchange")
 
 
-@pytest.mark.parametrize(("processes", "most"), [(16, 8), (24, 9), (64, 11)])
+@pytest.mark.parametrize(("processes", "most"), [(16, 8), (24, 9), slow(64, 11)])
 def test_passages_are_told_on_where_many_wait_for_one(processes: int, most: int) -> None:
     """By itself, one of 64 processes would send 32 messages, one after the other."""
     model = serial_chain(3 * processes)

@@ -31,6 +31,7 @@ from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from tests.models import random_tree
 from tests.plan.test_gather import error
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 
@@ -86,8 +87,15 @@ def test_a_chain_in_parts_is_solved(joints: int, processes: int, parts: int, mee
         assert own.owns == others.owns and own.reads == others.reads
 
 
-@pytest.mark.parametrize("kind", ["floating", "prismatic", "planar"])
-@pytest.mark.parametrize(("joints", "processes"), [(34, 1), (70, 2), (100, 3)])
+@pytest.mark.parametrize(
+    ("joints", "processes", "kind"),
+    [
+        *((34, 1, kind) for kind in ("floating", "prismatic", "planar")),
+        *((70, 2, kind) for kind in ("floating", "prismatic", "planar")),
+        (100, 3, "floating"),
+        *(slow(100, 3, kind) for kind in ("prismatic", "planar")),
+    ],
+)
 def test_a_chain_that_hangs_on_another_joint_is_solved_in_parts(
     kind: str, joints: int, processes: int
 ) -> None:

@@ -16,6 +16,7 @@ from adagen.plan import Plan
 from adagen.schedule import load_profile
 from tests.emitted import Builder, Solver, cores, plan_of, text_of
 from tests.models import serial_chain
+from tests.slow import slow
 
 HOP = (3.0, 50.0, 2.0)  # send, latency, a number
 HARNESS = """
@@ -144,15 +145,16 @@ def test_refined_answers_on_four_processes(builder: Builder, channel: str, tmp_p
     assert json.loads((tmp_path / "t.json").read_text())["evaluations"] == 192
 
 
-def test_eight_processes(builder: Builder) -> None:
-    plan = plan_of(serial_chain(8), 8, form="ada")
+@pytest.mark.parametrize("processes", [4, slow(8)])
+def test_more_processes_than_cores(processes: int, builder: Builder) -> None:
+    plan = plan_of(serial_chain(8), processes, form="ada")
     solver = builder.solver(plan)
     told = report(solver, "--time")
-    assert told["time"]["source"] == ("stretches" if cores() < 8 else "clock")
-    if cores() < 8:
+    assert told["time"]["source"] == ("stretches" if cores() < processes else "clock")
+    if cores() < processes:
         check_told(told["time"], plan)
         text = solver.run("--time", "--repeat", "1").stdout
-        assert f"{cores()} cores for 8 processes: a wall time would mean nothing" in text
+        assert f"{cores()} cores for {processes} processes: a wall time would mean nothing" in text
 
 
 def test_the_source_holds_what_messages_are_taken_to_cost() -> None:

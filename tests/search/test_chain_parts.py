@@ -56,7 +56,7 @@ def test_no_part_is_cut_where_that_costs_digits() -> None:
     assert not keeps_digits(replace(best_schedule(model, 1, XEON), parts=8), model, allowed)
 
 
-@pytest.mark.parametrize("kind", ["floating", "prismatic"])
+@pytest.mark.parametrize("kind", ["floating", slow("prismatic")])
 def test_a_long_chain_on_another_joint_is_parted_where_that_is_faster(kind: str) -> None:
     model = hung(kind, 400, seed=3)
     for processes in (1, 2):
