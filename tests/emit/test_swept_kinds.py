@@ -117,6 +117,27 @@ def test_bounds_of_closed_loops_are_those_without_a_loop(name: str, quick: Toolc
     _same_bounds(model, worst_states(model, 12, seed=4), quick)
 
 
+def test_a_slide_that_is_not_finite_leaves_nothing_behind(quick: Toolchain) -> None:
+    """Nor does a force: lanes without a joint would keep what is not a number."""
+    model = TREES["slides in lanes, driven"]
+    plan = looped(certified_plan(model), ALL)
+    assert plan is not None
+    text, stem = emit(plan, shape="unrolled")[f"{stem_of(plan)}.cpp"], stem_of(plan)
+    assert "sweep_rows<" in text
+    (state,) = random_states(model, 1, seed=2).each
+    slide = next(joint.q for joint in plan.joints if joint.kind == "prismatic")
+    bounds, qdd = [], np.zeros(model.nv)
+    with loaded(text, stem, plan, quick) as call:
+        for row, k in ((0, None), (0, slide), (0, None), (2, model.ntau - 1), (0, None)):
+            given = [x.copy() for x in state]
+            if k is not None:
+                given[row][k] = np.nan
+            failed = call("solve", ctypes.c_int, *given, qdd)
+            assert bool(failed) == (k is not None)
+            bounds.append(call("error_bound", ctypes.c_double))
+    assert bounds[0] == bounds[2] == bounds[4] < 1e-12
+
+
 def test_what_a_loop_takes() -> None:
     """All rows of hinges and slides that nothing else hangs on."""
     for name, model in TREES.items():
