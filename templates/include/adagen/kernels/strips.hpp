@@ -236,19 +236,27 @@ ADAGEN_INLINE void along_strips(Workspace& w, int beyond, const Frame<Lanes>& st
   }
 }
 
+// Whether a run hangs on the ground, which does not turn: what is seen from there needs no more
+// than gravity, and nobody asks where it is or how fast it goes, only how it turns and accelerates.
+template <int first>
+[[maybe_unused]] constexpr bool kFromGround = kJoints[first].parent == 0;
+
 // The same, where the strips' starts are known as seen from the run's.
-template <class Run, bool in_parts>
+template <class Run, bool in_parts, bool from_ground>
 ADAGEN_INLINE void along_traversed(Workspace& w, const Passage<Lanes>& starts,
                                    const Frame<Value>& at) {
+  const Vector<Lanes> free = in_all_lanes(at.a);
+  if constexpr (from_ground)
+    return along_strips<Run, in_parts>(w, 0,
+                                       {starts.R, starts.omega, starts.alpha, free + starts.a});
   const Matrix<Lanes> base{in_all_lanes(at.R.x), in_all_lanes(at.R.y), in_all_lanes(at.R.z)};
   const Vector<Lanes> turning = in_all_lanes(at.omega), spin = base * starts.omega;
   const Vector<Lanes> p = base * starts.p, v = base * starts.v;
-  along_strips<Run, in_parts>(
-      w, 0,
-      {base * starts.R, turning + spin,
-       in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin),
-       in_all_lanes(at.a) + base * starts.a + cross(in_all_lanes(at.alpha), p) +
-           cross(turning, cross(turning, p) + (v + v))});
+  along_strips<Run, in_parts>(w, 0,
+                              {base * starts.R, turning + spin,
+                               in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin),
+                               free + base * starts.a + cross(in_all_lanes(at.alpha), p) +
+                                   cross(turning, cross(turning, p) + (v + v))});
 }
 
 // See outward and pass_outward in outward.hpp, and take_angles in links.hpp. Functions of their
@@ -271,13 +279,18 @@ template <int first, int last>
 ADAGEN_NOINLINE Passage<Lanes> traverse_in_strips(Workspace& w, Passage<Value>& own) {
   const Value one = Value{} + 1, none{};
   const Frame<Value> still{{{one, none, none}, {none, one, none}, {none, none, one}}, {}, {}, {}};
-  const Passages found = passages_of_strips<Strips<first, last>>(w, 0, still);
+  Passages found = passages_of_strips<Strips<first, last>>(w, 0, still);
+  if constexpr (kFromGround<first>) {
+    found.all.p = found.all.v = Vector<Value>{};
+    found.starts.p = found.starts.v = Vector<Lanes>{};
+  }
   own = found.all;
   return found.starts;
 }
 template <int first, int last, bool in_parts = false>
 ADAGEN_NOINLINE void outward_traversed(Workspace& w, const Passage<Lanes>& starts) {
-  along_traversed<Strips<first, last>, in_parts>(w, starts, frame_near<first>(w));
+  along_traversed<Strips<first, last>, in_parts, kFromGround<first>>(w, starts,
+                                                                     frame_near<first>(w));
 }
 template <int first, int last>
 void take_angles_in_strips(Workspace& w, int beyond = 0) {
