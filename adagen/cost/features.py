@@ -238,8 +238,16 @@ def operation_features(
     else:
         found = [_of_step(step, operation, joints, joins) for step in operation.steps]
     if isinstance(block, Run):
+        if block.length % operation.lanes:
+            found = [_of_rows(block.length, operation.lanes, added(found))]
         found.append(_run_features(operation, block, joints))
     return added(found)
+
+
+def _of_rows(joints: int, lanes: int, found: Features) -> Features:
+    """Features of joints side by side in lanes: those of whole rows."""
+    share = -(-joints // lanes) * lanes / joints
+    return {name: count * share for name, count in found.items()}
 
 
 _RUNS = {

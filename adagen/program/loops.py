@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from itertools import groupby, takewhile
 from typing import Any
 
@@ -32,6 +33,9 @@ from adagen.program.slots import Slots
 from adagen.program.strips import LANES, split
 from adagen.program.types import Block, Links, Method, Operation
 from adagen.schedule.costs import StepCosts
+
+_BY_ROWS = frozenset({"traverse", "kinematics", "articulate", "accelerate"})
+"""What is done row by row with a chain in parts, one joint of each part in a row."""
 
 
 class Loops:
@@ -119,7 +123,14 @@ class Loops:
                 else:
                     for step in group:
                         self._add(step.does, None, "step", (step,))
-        return tuple(self.found)
+        return tuple(map(self._by_rows, self.found))
+
+    def _by_rows(self, operation: Operation) -> Operation:
+        """Tell of a sweep of a run that is in parts how many of its joints are side by side."""
+        block = operation.block
+        if operation.does in _BY_ROWS and isinstance(block, Run) and block in self.parts.runs:
+            return replace(operation, lanes=LANES[self.plan.scalar])
+        return operation
 
     def _add(
         self,

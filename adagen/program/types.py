@@ -82,6 +82,8 @@ class Operation:
             lane): whether that is the first one there, and so is stored instead of added.
         nested: whether one of limbs side by side hangs on a link of others that are: what it takes
             from there, or leaves there, is in one lane of these.
+        lanes: of a sweep of a chain in parts, in how many SIMD lanes its joints are: a row of them,
+            one of each part, takes as long where some are missing; otherwise 1.
     """
 
     does: str
@@ -91,6 +93,7 @@ class Operation:
     stage: int
     first: tuple[bool, ...] = ()
     nested: bool = False
+    lanes: int = 1
 
 
 @dataclass(frozen=True)

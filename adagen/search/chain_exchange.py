@@ -94,6 +94,7 @@ class ChainExchange:
         # Whether passages are told, which begin beyond the base: then each process has some.
         passed = [topology.priced_as(j) in PASSED for j in range(len(topology))]
         base = max((j + 1 for j, fits in enumerate(passed) if not fits), default=0)
+        self.cuts = _of_full_rows(self.cuts, base, parts)
         self._told = base < (FEWEST_ROWS * parts or _FEWEST)
         self.inner, self.outermost = (
             [0.0, *accumulate(self._first_sweep(kind, last) for kind in kinds)]
@@ -289,6 +290,23 @@ class ChainExchange:
         draft.root_child[joint] = self._part(draft, near, first, cuts[:half])
         draft.end_child[joint] = self._part(draft, far, first + half + 1, cuts[half + 1 :])
         return joint
+
+
+def _of_full_rows(cuts: list[int], base: int, parts: int) -> list[int]:
+    """Return the cuts at which every process but the last has as many joints in each of its parts.
+
+    A row of joints, one of each part, takes as long where some are missing. All cuts are returned
+    where there are no parts, or where some of these cuts are not allowed.
+
+    Args:
+        cuts: those that are allowed, in order.
+        base: joints before the chain.
+        parts: in how many parts each process sweeps its joints at once; 0: not in parts.
+    """
+    if not parts or not cuts:
+        return cuts
+    full = range(base + parts, cuts[-1] + 1, parts)
+    return list(full) if set(full) <= set(cuts) else cuts
 
 
 def _fans(count: int) -> list[int]:

@@ -10,7 +10,7 @@ import pytest
 
 from adagen.calibrate.schedules import random_schedule
 from adagen.cost import operation_features, step_features, timeline
-from adagen.cost.features import joins_of
+from adagen.cost.features import added, joins_of
 from adagen.emit.shapes import predict, priced_program
 from adagen.model.kinds import KINDS, REVOLUTE
 from adagen.plan import Plan, make_plan
@@ -18,11 +18,13 @@ from adagen.plan.messages import Message
 from adagen.plan.stages import stages
 from adagen.plan.steps import Articulate, Receive, Send
 from adagen.plan.types import Process
+from adagen.program.lower import lower
 from adagen.schedule import Topology, load_profile
 from adagen.schedule.costs import NAMES
 from adagen.search import find_schedule
 from tests.cost.costs import WINDOW, step_costs, step_profile
 from tests.models import human_figure, random_tree, serial_chain
+from tests.plan.test_parts import hinges, in_parts
 from tests.scene.held import held
 from tests.slow import slow
 
@@ -161,3 +163,18 @@ def test_every_step_belongs_to_one_stage(processes: int) -> None:
             assert covered == list(range(len(process.steps)))
             sorts = [stage.what for stage in found if stage.message is None]
             assert sorts.index("kinematics") == 0
+
+
+def test_a_row_of_a_chain_in_parts_takes_as_long_where_joints_are_missing() -> None:
+    """Sweeps of 193 hinges, 25 rows of eight, are priced as those of 200."""
+
+    def sweeps(joints: int) -> dict[str, float]:
+        program = lower(in_parts(hinges(joints, 1)), "kernels")
+        own = [op for op in program.processes[0].operations if op.lanes == 8]
+        assert [op.does for op in own] == ["kinematics", "articulate", "accelerate"]
+        return added(operation_features(op, program.plan.joints) for op in own)
+
+    few, full = sweeps(193), sweeps(200)
+    assert few == pytest.approx(full, rel=3e-3)
+    names = {"parts.inwards", "parts.outwards", "kinematics_strips.revolute"}
+    assert names <= full.keys() and all(few[name] > 191 for name in names)

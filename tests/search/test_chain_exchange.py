@@ -211,3 +211,18 @@ def test_processes_that_an_exchange_leaves_idle_are_in_its_file() -> None:
     assert fewer != text
     with pytest.raises(InputError, match="no fewer than those of the root"):
         schedule_from_json(fewer, topology, PROFILE)
+
+
+@pytest.mark.parametrize(("forbidden", "full"), [(None, True), (48, False)])
+def test_processes_in_parts_fill_their_rows(forbidden: int | None, full: bool) -> None:
+    """All but the last have as many joints in each part; where that is not allowed, nearly."""
+    joints = 120
+    model = serial_chain(joints)
+    cuttable = [j != forbidden for j in range(joints)]
+    chains = ChainExchange(Topology.of(model), PROFILE, cuttable, "work", parts=8)
+    found = chains.best(2, 2, player(model))
+    assert found is not None
+    owned = [len(process.owns) for process in make_plan(model, found).processes]
+    assert sum(owned) == joints and min(owned) >= 3 * 8
+    assert (set(chains.cuts) <= set(range(0, joints, 8))) == full
+    assert owned[0] % 8 == 0 or not full
