@@ -3,8 +3,9 @@
     python -m benchmarks.chain_parts [--joints N ...] [--profile NAME] [--rounds R] [--priority N]
                                      [--write PAGE]
 
-Times are those between the time stamps of --trace, less what looking at the clock takes. A chain of
-twice as many joints tells what does not depend on the length: every process takes that.
+Times are those between the time stamps of --trace, less what looking at the clock takes. The
+shortest chain and one of twice as many joints tell what does not depend on the length: every
+process takes that.
 """
 
 from __future__ import annotations
@@ -48,19 +49,14 @@ class Parts:
     Attributes:
         joints: of the chain.
         alone: on one process.
-        twice: of twice as many joints on one process.
         shared: of each of two processes.
+        once: what does not depend on the length, of each process.
     """
 
     joints: int
     alone: Times
-    twice: Times
     shared: tuple[Times, Times]
-
-    @property
-    def once(self) -> float:
-        """What does not depend on the length, on one process."""
-        return max(0.0, 2 * sum(self.alone.values()) - sum(self.twice.values()))
+    once: float
 
     @property
     def limits(self) -> dict[str, float]:
@@ -107,7 +103,8 @@ def measure(
         AdagenError: a solver could not be made, built or run.
     """
     toolchain = find_toolchain()
-    wanted = sorted({(k * n, p) for n in chains for k, p in ((1, 1), (2, 1), (1, 2))})
+    shortest = min(chains)
+    wanted = sorted({(2 * shortest, 1), *((n, p) for n in chains for p in (1, 2))})
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
         built = {}
         for joints, processes in wanted:
@@ -129,12 +126,12 @@ def measure(
                     [times_of(rows, trace["clock_ns"]) for rows in by_process]
                 )
     middle = {
-        key: [_medians(own) for own in zip(*found, strict=True)] for key, found in traces.items()
+        key: [_medians(own) for own in zip(*rounds_of, strict=True)]
+        for key, rounds_of in traces.items()
     }
-    return [
-        Parts(n, middle[n, 1][0], middle[2 * n, 1][0], (middle[n, 2][0], middle[n, 2][1]))
-        for n in chains
-    ]
+    short, twice = (sum(middle[n, 1][0].values()) for n in (shortest, 2 * shortest))
+    once = max(0.0, 2 * short - twice)
+    return [Parts(n, middle[n, 1][0], (middle[n, 2][0], middle[n, 2][1]), once) for n in chains]
 
 
 def _built(folder: Path, joints: int, processes: int, profile: str, toolchain: Toolchain) -> Path:

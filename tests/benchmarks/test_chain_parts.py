@@ -40,11 +40,9 @@ def test_stages_are_told_apart_by_what_came_before() -> None:
 
 def test_limits_add_one_cost_after_the_other() -> None:
     alone = {KINEMATICS: 1.5, INWARDS: 2.0, OUTWARDS: 0.5}
-    twice = {KINEMATICS: 2.8, INWARDS: 3.4, OUTWARDS: 0.8}  # 1 us does not depend on the length
     ground = {KINEMATICS: 1.0, PASSAGE: 0.1, INWARDS: 1.4, EXCHANGE: 0.3, CUT: 0.1, OUTWARDS: 0.3}
     beyond = ground | {PASSAGE: 0.3, INWARDS: 1.3, EXCHANGE: 0.1}
-    parts = Parts(200, alone, twice, (ground, beyond))
-    assert parts.once == pytest.approx(1.0)
+    parts = Parts(200, alone, (ground, beyond), once=1.0)
     assert list(parts.limits.values()) == pytest.approx([2.0, 2.5, 2.6, 2.8, 3.2])
     text = tables([parts])
     assert "| 200 | all | 4.00 | 3.20 | 3.10 |" in text
