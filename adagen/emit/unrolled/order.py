@@ -97,7 +97,7 @@ def limit_of_functions(values: int, pace: Pace | None, *, short: bool = False) -
 
 
 def _cut(graph: Graph, order: Sequence[int], longest: int) -> list[list[int]]:
-    """Values cut into functions of limited length, unless it is long, where the fewest are alive."""
+    """Values in functions of limited length; but for long ones, cut where the fewest are alive."""
     sizes = [2 if graph.nodes[k].op == "multiply_add" else 1 for k in order]
     if longest <= LIMIT_OF_BATCHES:
         return _cut_where_few(graph, order, longest, [0, *accumulate(sizes)])
