@@ -14,6 +14,7 @@ from adagen.states import random_states, read_result, write_states
 from tests.emitted import ROUNDING, Array, Builder, forward_error, make_variables, truth_of
 from tests.end_to_end.test_library import run
 from tests.golden.make_models import MODELS
+from tests.mechanisms import states_of
 from tests.slow import all_but
 
 COMPILER, EMULATOR = "aarch64-linux-gnu-g++", "qemu-aarch64"
@@ -43,9 +44,11 @@ def tools() -> None:
 def emitted(name: str, options: str, folder: Path) -> adagen.Robot:
     """Return a robot whose solver is written to a folder, by the name `own`."""
     model = MODELS / f"{name}.urdf"
+    scene = model.with_suffix(".toml") if "--scene" in options else None
+    options = options.replace("--scene", f"--scene={scene}")
     asked = [str(model), *options.split(), "--out", str(folder), "--name", "own"]
     assert main([*asked, "--quiet"]) == 0
-    return adagen.read(model, floating="--floating" in options)
+    return adagen.read(model, floating="--floating" in options, scene=scene)
 
 
 def built(folder: Path, builder: Builder, compiler: str, flags: str) -> Path:
@@ -70,12 +73,14 @@ def test_answers_are_right(case: str, builder: Builder, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("options", ["", "--batch", "--scalar float", "--certify"])
+@pytest.mark.parametrize(("name", "kind"), [("humanoid", "--floating"), ("ankle", "--scene")])
 def test_reproducible_solvers_give_the_bits_of_x86(
-    options: str, builder: Builder, tmp_path: Path
+    name: str, kind: str, options: str, builder: Builder, tmp_path: Path
 ) -> None:
-    asked = f"--procs 1 --floating --reproducible {options}"
-    model = emitted("humanoid", asked, tmp_path).model
-    write_states(random_states(model, 20, seed=7), model, tmp_path / "states.json")
+    """Closed loops, too, in ordinary poses and poor ones."""
+    model = emitted(name, f"--procs 1 --reproducible {options} {kind}", tmp_path).model
+    drawn = states_of if model.loops else random_states
+    write_states(drawn(model, 20, seed=7), model, tmp_path / "states.json")
 
     def answers(compiler: str, flags: str, *emulator: str) -> Array:
         program = built(tmp_path, builder, compiler, f"{flags} -static")
