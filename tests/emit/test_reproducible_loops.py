@@ -172,6 +172,19 @@ def test_processes(
     np.testing.assert_array_equal(solver.solve(states), expected)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("channel", ["window", "message"])
+def test_processes_of_mpi(channel: str, builder: Builder, tmp_path: Path) -> None:
+    """By either channel, what one process answers."""
+    make, owners = LAYOUTS["quadruped on three"]
+    model = make()
+    alone, plan = reproducible_plan(model), replace(shared(model, owners), channel=channel)
+    states = mixed(model, alone, 24)
+    expected = Library(alone, builder, QUICK, tmp_path).solve(states)
+    found = builder.solver(plan).solve(model, states, tmp_path)
+    np.testing.assert_array_equal(found, expected)
+
+
 def test_processes_that_may_go_different_ways_are_refused() -> None:
     """Each has a robot that floats apart from the other's; or nobody hears of a poor pose."""
     model = carrying("point")
