@@ -163,7 +163,7 @@ class Solver {
       take(groups_[size(g)], first + at, std::min(kTogether, states - at), rows.q, rows.v,
            rows.tau);
     }
-    std::array<bool, kGroups> well;
+    std::array<bool, kGroups> well{};
     {
       [[maybe_unused]] const TinyAreZero tiny;
       go(way, groups);
