@@ -17,7 +17,7 @@ from adagen.states import random_states
 from tests.emitted import ROUNDING, Builder
 from tests.models import random_tree
 from tests.schedules import random_schedule
-from tests.slow import spread
+from tests.slow import slow, spread
 
 
 @pytest.mark.parametrize(
@@ -52,8 +52,10 @@ def test_trees_with_bare_links_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
-@pytest.mark.parametrize("in_lanes", [False, True])
-@pytest.mark.parametrize("branches", [3, 9])  # a loop between each two of them, or one for all
+# A loop between each two branches, or one for all.
+@pytest.mark.parametrize(
+    ("branches", "in_lanes"), [(9, False), (3, True), slow(3, False), slow(9, True)]
+)
 def test_branches_are_added_along_runs_and_limbs_in_lanes(
     branches: int, in_lanes: bool, builder: Builder, tmp_path: Path
 ) -> None:

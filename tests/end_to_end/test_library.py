@@ -54,7 +54,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     shutil.copytree(FOLDER / "mobile_p1", folder)
     shutil.copytree(FOLDER / "adagen", folder.parent / "adagen")
     nowhere = ("MPICXX=nowhere", "MPIEXEC=nowhere", "ADAGEN=nowhere", "EIGEN=/nowhere")
-    run("make", "-C", folder, *nowhere, "CXXFLAGS=-O1", "lib")
+    run("make", "-C", folder, *nowhere, "lib")
     return folder
 
 
