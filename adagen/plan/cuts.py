@@ -32,6 +32,7 @@ Array = NDArray[Any]
 LARGEST_CONDITION = {"double": 1e6, "float": 1e3}
 LARGEST_GROWTH = {"double": 1e5, "float": 1e3}
 SMALLEST_MASS = {"double": 1e-5, "float": 1e-3}
+_SEEDS = (1, 2)  # of configurations, of which the worse one counts
 _NEAR = 3  # joints to links that a link's mass is compared with
 
 
@@ -56,14 +57,17 @@ def cuttable_joints(
     lightest = SMALLEST_MASS[number] if limit is None else 1.0 / limit
     whole = [(j,) for j in range(len(model.joints))] if joints is None else list(joints)
     robot = _Robot(settled(model, [run for run in whole if len(run) > 1]), whole)
-    condition = np.maximum(robot.condition(1), robot.condition(2))
-    growth = np.maximum(robot.growth(1), robot.growth(2))
-    good = (condition <= conditioned) & (growth <= largest)
+    frames = robot.frames(_SEEDS)
+    good = (robot.condition(frames) <= conditioned) & (robot.growth(frames) <= largest)
     heavy = robot.mass_ratios() >= lightest
     return tuple(
         bool(good[k] and heavy[joint.child] and heavy[joint.parent])
         for k, joint in enumerate(robot.joints)
     )
+
+
+Frames = Sequence[tuple[Array, Array]]
+"""Of each joint the transforms from its parent and child link, shape (S, 6, 6) each."""
 
 
 @dataclass(frozen=True)
@@ -114,20 +118,19 @@ class _Robot:
         ratios[0] = 1.0
         return ratios
 
-    def condition(self, seed: int) -> Array:
-        """Return the condition of I^A beside each joint in one configuration, shape (N,).
+    def condition(self, frames: Frames) -> Array:
+        """Return the condition of I^A beside each joint, the largest of S configurations, (N,).
 
         That is the condition number of the articulated-body inertia of all below the joint, and of
         all above it unless the ground holds that, scaled to a unit diagonal (units are mixed).
         """
         n = len(self.joints)
-        frames = self._frames(seed)
-        below = [inertia.copy() for inertia in self.inertia]
-        passed = [np.zeros((6, 6))] * n
+        below = self._of_each(frames)
+        passed = [below[0]] * n
         for k in reversed(range(n)):
             joint, (x, y) = self.joints[k], frames[k]
-            passed[k] = x.T @ self._projected(joint, _seen(below[joint.child], y)) @ x
-            below[joint.parent] += passed[k]
+            passed[k] = _turned(x, self._projected(joint, _seen(below[joint.child], y)))
+            below[joint.parent] = below[joint.parent] + passed[k]
         above: dict[int, Array | None] = {0: None}  # what reaches a link from above; None: ground
         result = np.ones(n)
         for k, (joint, (x, y)) in enumerate(zip(self.joints, frames, strict=True)):
@@ -135,58 +138,72 @@ class _Robot:
             coming = above[joint.parent]
             above[joint.child] = None
             if joint.free_floating:
-                above[joint.child] = np.zeros((6, 6))  # nothing holds the link
+                above[joint.child] = np.zeros_like(x)  # nothing holds the link
             elif joint.parent > 0 and coming is not None:
                 rest = below[joint.parent] - passed[k] + coming
                 result[k] = max(result[k], _scaled_condition(rest))
-                above[joint.child] = y.T @ self._projected(joint, _seen(rest, x)) @ y
+                above[joint.child] = _turned(y, self._projected(joint, _seen(rest, x)))
         return result
 
-    def growth(self, seed: int) -> Array:
-        """Return the ratio of mobilities at each joint in one configuration, shape (N,).
+    def growth(self, frames: Frames) -> Array:
+        """Return the ratio of mobilities at each joint, the largest of S configurations, (N,).
 
         That is the largest generalised eigenvalue of (M with bare links, M with their neighbours
         attached), M = N (Phi_A + Phi_B) N^T: what the neighbours take away; or of the mobilities of
         the two bare links, either way round. Infinite beside a link of singular inertia.
         """
-        n = len(self.joints)
-        frames = self._frames(seed)
-        onto_parent, onto_child = [np.zeros((6, 6))] * n, [np.zeros((6, 6))] * n
-        near = [inertia.copy() for inertia in self.inertia]
+        near = self._of_each(frames)
+        bare, n = list(near), len(self.joints)
+        onto_parent, onto_child = ([np.zeros_like(near[0])] * n for _ in range(2))
         for k, (joint, (x, y)) in enumerate(zip(self.joints, frames, strict=True)):
-            onto_parent[k] = x.T @ self._projected(joint, _seen(self.inertia[joint.child], y)) @ x
-            near[joint.parent] += onto_parent[k]
+            onto_parent[k] = _turned(x, self._projected(joint, _seen(bare[joint.child], y)))
+            near[joint.parent] = near[joint.parent] + onto_parent[k]
             if joint.parent > 0:
-                seen = _seen(self.inertia[joint.parent], x)
-                onto_child[k] = y.T @ self._projected(joint, seen) @ y
-                near[joint.child] += onto_child[k]
+                seen = _seen(bare[joint.parent], x)
+                onto_child[k] = _turned(y, self._projected(joint, seen))
+                near[joint.child] = near[joint.child] + onto_child[k]
         result = np.full(n, np.inf)
         for k, (joint, (x, y)) in enumerate(zip(self.joints, frames, strict=True)):
-            rows = joint.constrained
             if not (self.regular[joint.parent] and self.regular[joint.child]):
                 continue
-            child = y @ np.linalg.inv(self.inertia[joint.child]) @ y.T
+            child = y @ np.linalg.inv(self.inertia[joint.child]) @ y.swapaxes(1, 2)
             with suppress(np.linalg.LinAlgError):  # so unequal that double cannot tell: infinite
-                held = y @ np.linalg.inv(near[joint.child] - onto_child[k]) @ y.T
-                if joint.parent == 0:
-                    result[k] = _largest_ratio(rows, (child, held))
-                else:
-                    parent = x @ np.linalg.inv(self.inertia[joint.parent]) @ x.T
+                rest = np.linalg.inv(near[joint.child] - onto_child[k])
+                held = y @ rest @ y.swapaxes(1, 2)
+                pairs = [(child, held)]
+                if joint.parent > 0:
+                    parent = x @ np.linalg.inv(self.inertia[joint.parent]) @ x.swapaxes(1, 2)
                     rest = np.linalg.inv(near[joint.parent] - onto_parent[k])
-                    held = held + x @ rest @ x.T
-                    pairs = ((child, parent), (parent, child), (child + parent, held))
-                    result[k] = _largest_ratio(rows, *pairs)
+                    held = held + x @ rest @ x.swapaxes(1, 2)
+                    pairs = [(child, parent), (parent, child), (child + parent, held)]
+                result[k] = _largest_ratio(joint.constrained, pairs)
         return result
+
+    def _of_each(self, frames: Frames) -> list[Array]:
+        """The links' inertias, shape (S, 6, 6) each, the same in all configurations."""
+        count = len(frames[0][0]) if frames else 1
+        return [np.repeat(inertia[None], count, axis=0) for inertia in self.inertia]
 
     @staticmethod
     def _projected(joint: _Joint, inertia: Array) -> Array:
         """The inertia of one side of a joint as it acts on the other side."""
-        free = joint.free
-        d = inertia[np.ix_(free, free)]
-        return inertia - inertia[:, free] @ np.linalg.pinv(d) @ inertia[free]
+        columns = inertia[:, :, joint.free]
+        d = columns[:, joint.free]
+        projected: Array = inertia - columns @ np.linalg.pinv(d) @ inertia[:, joint.free]
+        return projected
+
+    def frames(self, seeds: Sequence[int]) -> Frames:
+        """Return the transforms into a joint's coordinates, from its parent and its child link.
+
+        Of each joint two arrays of shape (S, 6, 6), for the configurations of S seeds.
+        """
+        each = [self._frames(seed) for seed in seeds]
+        return [
+            (np.stack([x for x, _ in pairs]), np.stack([y for _, y in pairs]))
+            for pairs in zip(*each, strict=True)
+        ]
 
     def _frames(self, seed: int) -> list[tuple[Array, Array]]:
-        """The transforms into a joint's coordinates, from its parent and its child link."""
         q = generic_configuration(self.members, seed)
         frames = []
         for joint in self.joints:
@@ -206,22 +223,28 @@ class _Robot:
 
 
 def _seen(inertia: Array, x: Array) -> Array:
-    """An inertia in the coordinates of a transform x."""
-    back = np.linalg.inv(x)
-    result: Array = back.T @ inertia @ back
+    """Inertias in the coordinates of transforms x, shape (S, 6, 6)."""
+    return _turned(np.linalg.inv(x), inertia)
+
+
+def _turned(x: Array, inertia: Array) -> Array:
+    """X^T I X, shape (S, 6, 6)."""
+    result: Array = x.swapaxes(1, 2) @ inertia @ x
     return result
 
 
-def _largest_ratio(rows: list[int], *pairs: tuple[Array, Array]) -> float:
+def _largest_ratio(rows: list[int], pairs: Sequence[tuple[Array, Array]]) -> float:
     """The largest generalised eigenvalue of pairs of mobilities, at the constrained rows."""
     at = np.ix_(rows, rows)
-    return max((lost_mobility(a[at], b[at]) for a, b in pairs), default=1.0) if rows else 1.0
+    each = ((a[at], b[at]) for pair in pairs for a, b in zip(*pair, strict=True))
+    return max((lost_mobility(a, b) for a, b in each), default=1.0) if rows else 1.0
 
 
 def _scaled_condition(inertia: Array) -> float:
-    diagonal = np.diag(inertia)
+    """The largest condition number of inertias scaled to a unit diagonal, shape (S, 6, 6)."""
+    diagonal = np.diagonal(inertia, axis1=1, axis2=2)
     if not (diagonal > 0).all():
         return np.inf
     scale = 1.0 / np.sqrt(diagonal)
-    values = np.linalg.eigvalsh(inertia * np.outer(scale, scale))
-    return float(values[-1] / values[0]) if values[0] > 0 else np.inf
+    values = np.linalg.eigvalsh(inertia * scale[:, :, None] * scale[:, None])
+    return float((values[:, -1] / values[:, 0]).max()) if (values[:, 0] > 0).all() else np.inf
