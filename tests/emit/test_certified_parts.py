@@ -44,7 +44,7 @@ def test_lines_of_a_certified_chain() -> None:
 @pytest.mark.parametrize(
     ("model", "ways"),
     [
-        (driven(hinges(33, seed=2)), [WHOLE, PARTS, LINE]),
+        slow(driven(hinges(33, seed=2)), [WHOLE, PARTS, LINE]),
         (hinges(50, seed=3), [WHOLE, PARTS, IN_FLOAT]),
         slow(graded(serial_chain(41), 1e5), [WHOLE, PARTS]),
         slow(graded(serial_chain(39), 1e-5), [WHOLE, PARTS]),

@@ -23,6 +23,7 @@ from adagen.states import random_states, write_states
 from benchmarks.stability.bounds import certified_plan, plan_elsewhere
 from tests.emitted import Builder, Solver, kernels_of
 from tests.models import random_tree, serial_chain, star
+from tests.slow import all_but
 
 _CALL = re.compile(
     r"^( *)((?:to = tell_link|weigh_held|weigh_shown)\S*\(.*, turning, sliding\);)", re.M
@@ -39,7 +40,7 @@ CASES: dict[str, tuple[Callable[[], Model], Callable[[Model], Plan], int]] = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", all_but(CASES, "tree"))
 def test_loops_find_what_the_executor_finds(
     name: str, builder: Builder, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

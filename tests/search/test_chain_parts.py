@@ -72,7 +72,7 @@ def test_a_base_without_inertia_leaves_the_chain_whole() -> None:
 
 
 def test_processes_of_several_part_their_own() -> None:
-    model = serial_chain(900)
+    model = serial_chain(450)
     found = best_schedule(model, 2, XEON, in_parts=True)
     assert (found.parts, found.meeting) == (8, "exchange")
     whole = best_schedule(model, 2, XEON)
