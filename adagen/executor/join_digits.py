@@ -7,9 +7,9 @@ lost, about log10(g) digits are lost, in any order of assembly.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,7 +63,10 @@ def predicted_growth(plan: Plan) -> Growth:
     if not joins and _surely_solved(plan):
         return _none(plan)
     seeds = (1, 2) if joins and len(plan.joints) <= LONG else (1,)
-    return max((_growth(plan, seed) for seed in seeds), key=lambda growth: growth.error)
+    try:
+        return _growth(plan, seeds)
+    except SingularPoseError:  # in one of them: what is then done otherwise is no join
+        return max((_growth(plan, (seed,)) for seed in seeds), key=lambda growth: growth.error)
 
 
 def _none(plan: Plan) -> Growth:
@@ -86,18 +89,33 @@ def _surely_solved(plan: Plan) -> bool:
     return not sweep.refused.any() and bool(np.isfinite(found).all())
 
 
-def _growth(plan: Plan, seed: int) -> Growth:
-    q = generic_configuration(plan.joints, seed)
-    zero = np.zeros(plan.nv + 6 * len(plan.wrenches))
+def _growth(plan: Plan, seeds: Sequence[int]) -> Growth:
+    """Return the largest growth in configurations, which are carried out at once."""
+    q = np.stack([generic_configuration(plan.joints, seed) for seed in seeds], axis=-1)
+    zero = np.zeros((plan.nv + 6 * len(plan.wrenches), len(seeds)))
     run = Run(plan, {"q": q, "v": zero, "tau": zero}, once=True)
-    with suppress(SingularPoseError):  # joins are no part of what is then done otherwise
+    try:
         run.check(digits=False)
+    except SingularPoseError:
+        if len(seeds) > 1:
+            raise
+    found = [_growth_in(plan, run, s, q[:, s]) for s in range(len(seeds))]
+    return max(found, key=lambda growth: growth.error)
+
+
+def _growth_in(plan: Plan, run: Run, s: int, q: Array) -> Growth:
+    """Return the growth in configuration q, the one of number s that was carried out."""
     transforms = _transforms(plan, q)
     values: dict[int, float] = {}
     for p, process in enumerate(plan.processes):
+
+        def of(expressions: Any, p: int = p) -> Array:
+            found = run.of(p, expressions)
+            return found[..., s] if found.ndim > np.ndim(expressions) else found
+
         for step in process.steps_of(Join):
             joined: Joined = run.machines[p].memory["join", step.joint]
-            values[step.joint] = _lost(plan, run, p, joined, transforms)
+            values[step.joint] = _lost(plan, of, joined, transforms)
     if not values:
         return _none(plan)
     worst = max(values, key=lambda joint: (values[joint], -joint))
@@ -110,15 +128,17 @@ def _transforms(plan: Plan, q: Array) -> list[Array]:
     return [joint_transform(joint, configuration(joints, joint, q)) for joint in joints]
 
 
-def _lost(plan: Plan, run: Run, p: int, joined: Joined, transforms: Sequence[Array]) -> float:
+def _lost(
+    plan: Plan, of: Callable[[Any], Array], joined: Joined, transforms: Sequence[Array]
+) -> float:
     frame = joined.frame
-    y = np.eye(6) if frame.turn is None else run.of(p, frame.turn)
+    y = np.eye(6) if frame.turn is None else of(frame.turn)
     x = y
     for j in reversed(frame.run):
         x = x @ transforms[j]
     bare = np.zeros((6, 6))
     for row, entry in frame.give.items():
-        (bare[row, row],) = run.of(p, [entry])
+        (bare[row, row],) = of([entry])
     ends = ((plan.joints[frame.run[0]].parent, x), (frame.run[-1] + 1, y))
     for number, transform in ends:
         if number > 0:
@@ -128,7 +148,7 @@ def _lost(plan: Plan, run: Run, p: int, joined: Joined, transforms: Sequence[Arr
             bare = bare + transform @ own @ transform.T
     at = np.ix_(frame.constrained, frame.constrained)
     try:
-        return lost_mobility(bare[at], run.of(p, joined.phi[at]))
+        return lost_mobility(bare[at], of(joined.phi[at]))
     except np.linalg.LinAlgError:
         return np.inf
 
