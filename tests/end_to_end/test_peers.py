@@ -25,14 +25,14 @@ class TestPeers:
     """A process that dies or stops ends the run; nothing outlives it."""
 
     @pytest.fixture
-    def started(self, human: Subject) -> Iterator[Callable[..., subprocess.Popen[str]]]:
-        children: list[subprocess.Popen[str]] = []
+    def started(self) -> Iterator[Callable[..., subprocess.Popen[str]]]:
+        children: list[tuple[subprocess.Popen[str], Path]] = []
 
-        def start(*words: str) -> subprocess.Popen[str]:
-            toolchain = human.solver.toolchain
-            copy = human.folder / "human40_copy"  # so that its processes differ from others'
-            shutil.copy(human.solver.executable, copy)
-            command = [*toolchain.mpiexec, "-n", "4", "--oversubscribe", "--bind-to", "none"]
+        def start(who: Subject, *words: str) -> subprocess.Popen[str]:
+            toolchain, copy = who.solver.toolchain, copy_of(who)
+            shutil.copy(who.solver.executable, copy)
+            ranks = str(who.solver.processes)
+            command = [*toolchain.mpiexec, "-n", ranks, "--oversubscribe", "--bind-to", "none"]
             child = subprocess.Popen(
                 [*command, str(copy), *words],
                 env=toolchain.variables(os.environ),
@@ -41,12 +41,12 @@ class TestPeers:
                 text=True,
                 errors="replace",
             )
-            children.append(child)
+            children.append((child, copy))
             return child
 
         yield start
-        for child in children:
-            for pid in running(human.folder / "human40_copy"):
+        for child, copy in children:
+            for pid in running(copy):
                 os.kill(pid, signal.SIGKILL)
             if child.poll() is None:
                 child.kill()
@@ -76,9 +76,9 @@ class TestPeers:
         started: Callable[..., subprocess.Popen[str]],
     ) -> None:
         words = ("--simulate", "1000", "--step", "1e-6", "--timeout", "5", "--channel", channel)
-        child = started(*words)  # takes hours
-        victim = wait_for(lambda: running_ranks(human.folder / "human40_copy").get(rank))
-        ranks = running_ranks(human.folder / "human40_copy").values()
+        child = started(human, *words)  # takes hours
+        victim = wait_for(lambda: running_ranks(human).get(rank))
+        ranks = running_ranks(human).values()
         wait_for(lambda: all(spent(pid) > _PAST_THE_START for pid in ranks), limit=120)
         assert child.poll() is None
         os.kill(victim, number)
@@ -91,14 +91,14 @@ class TestPeers:
             lines = without_launcher_noise(said)[0].splitlines()
             own = [line for line in lines if not line.startswith("simulating")]
             assert own and all("did not answer within the time limit" in line for line in own)
-        wait_for(lambda: not running(human.folder / "human40_copy"))
+        wait_for(lambda: not running(copy_of(human)))
 
     def test_a_computer_that_sleeps_does_not_end_the_run(
-        self, human: Subject, started: Callable[..., subprocess.Popen[str]]
+        self, arm: Subject, started: Callable[..., subprocess.Popen[str]]
     ) -> None:
         """All processes stand still for longer than any may wait for another."""
-        child = started("--simulate", "1000", "--step", "1e-6", "--timeout", "4")
-        ranks = list(wait_for(lambda: running_ranks(human.folder / "human40_copy")).values())
+        child = started(arm, "--simulate", "1000", "--step", "1e-6", "--timeout", "4")
+        ranks = list(wait_for(lambda: running_ranks(arm)).values())
         wait_for(lambda: all(spent(pid) > _PAST_THE_START for pid in ranks), limit=120)
         for pid in ranks:
             os.kill(pid, signal.SIGSTOP)
@@ -138,6 +138,11 @@ class TestMachine:
             assert json.loads(arm.solver.run(*words).stdout)["time"]["pinned"] is True
 
 
+def copy_of(who: Subject) -> Path:
+    """Return where a subject's program is copied to, so that its processes differ from others'."""
+    return who.folder / f"{who.solver.executable.name}_copy"
+
+
 _PAST_THE_START = 0.7
 """Seconds of the processor: MPI starts with fewer, and who waits for another spins."""
 
@@ -148,10 +153,10 @@ def spent(process: int) -> float:
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def running_ranks(executable: Path) -> dict[int, int]:
+def running_ranks(who: Subject) -> dict[int, int]:
     """Return rank to process of a run, once all have their rank."""
     ranks = {}
-    for pid in running(executable):
+    for pid in running(copy_of(who)):
         try:
             variables = Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
         except OSError:
@@ -160,7 +165,7 @@ def running_ranks(executable: Path) -> dict[int, int]:
             name, _, value = variable.partition(b"=")
             if name == b"OMPI_COMM_WORLD_RANK":
                 ranks[int(value)] = pid
-    return ranks if len(ranks) == 4 else {}
+    return ranks if len(ranks) == who.solver.processes else {}
 
 
 def wait_for(condition: Callable[[], Any], limit: float = 30.0) -> Any:
