@@ -302,6 +302,7 @@ class Solver {
 #if defined(ADAGEN_REPRODUCIBLE)
     return 0;
 #else
+    static_assert(kWays.size() == 2);  // what leaves the second way would not be numbered
     return 2 * left_ > tried_ ? 1 : 0;
 #endif
   }
