@@ -17,11 +17,14 @@ struct Inertias {
   std::array<LinkInertia, kJointCount> inertias = kInertias;
   std::array<BlockConstants, kConstantsCount> constants = kBlockConstants;
 
-  // The bits are the same whether a mass is set to what it is at first, or not.
+  // The bits are the same whether a mass is set to what it is at first, or not: a compiler that
+  // knew the numbers would round each product, where a processor fuses it with a sum.
   Inertias() {
     for (const SettableLink& own : kSettableLinks) {
       const LinkConstants& link = kLinks[static_cast<std::size_t>(own.link)];
-      set_inertia(own.link, link.mass, link.com);
+      const volatile Number mass = link.mass, x = link.com[0], y = link.com[1], z = link.com[2];
+      const Number center[3] = {x, y, z};
+      set_inertia(own.link, mass, center);
     }
   }
 
