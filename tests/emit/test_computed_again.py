@@ -91,3 +91,15 @@ def test_rows_over_a_pivot_are_computed_from_one_reciprocal() -> None:
     assert set(carried_out(graph, functions)) == {pivot.index}
     assert {factor.index for factor in factors} <= set(functions[1].values)
     assert not {factor.index for factor in factors} & set(functions[0].values)
+
+
+def test_long_chains_of_sums_may_be_computed_again() -> None:
+    graph = Graph()
+    sums = [graph.input("q[0]") + graph.input("q[1]")]
+    for k in range(3000):
+        sums.append(sums[-1] + graph.input(f"v[{k}]"))
+    used = [x * graph.input("tau[0]") for x in sums]
+    functions = [Function([x.index for x in sums]), Function([x.index for x in used[::-1]])]
+    compute_again(graph, functions, {x.index for x in used})
+    assert not carried_out(graph, functions)
+    assert not functions[0].values

@@ -77,17 +77,15 @@ def _with(graph: Graph, values: Sequence[int], again: set[int]) -> list[int]:
     """Values with those that are computed again, each right before its first use."""
     found: list[int] = []
     placed: set[int] = set()
-
-    def place(index: int) -> None:
-        for arg in graph.nodes[index].args:
-            if arg in again and arg not in placed:
-                placed.add(arg)
-                place(arg)
-                found.append(arg)
-
     for index in values:
-        place(index)
-        found.append(index)
+        first, asked = set[int](), [index]
+        while asked:
+            args = graph.nodes[asked.pop()].args
+            more = [arg for arg in args if arg in again and arg not in placed]
+            placed.update(more)
+            first.update(more)
+            asked += more
+        found += [*sorted(first), index]  # operands have smaller indices
     return found
 
 
