@@ -116,7 +116,7 @@ def measure(
                 on_progress(f"chain of {joints}: round {k + 1} of {rounds} (P={processes})")
                 file = Path(folder, "trace.json")
                 words = ["--trace", str(file), "--repeat", "100"]
-                launch(program, processes, words, toolchain, TIMEOUT).printed  # noqa: B018
+                _ = launch(program, processes, words, toolchain, TIMEOUT).printed
                 trace = json.loads(file.read_text(encoding="utf-8"))
                 by_process = [
                     [row for row in trace["stages"] if row["process"] == p]

@@ -82,8 +82,7 @@ struct SweptConstant {
   static constexpr int kAlong = 28;   // likewise those along it
   static constexpr int kHolds = 31;   // whether the joint passes on all of a wrench
   static constexpr int kCounts = 32;  // zero in lanes that repeat others
-  static constexpr int kSlides =
-      33;  // whether the joint slides; then squares about y, like kAcross
+  static constexpr int kSlides = 33;  // whether it slides; then squares about y, like kAcross
   static constexpr int kOther = 34;
   static constexpr int kRotor = Kinds::slides ? 37 : 33;  // its inertia
   static constexpr int kAll = kRotor + (Kinds::rotors ? 1 : 0);
