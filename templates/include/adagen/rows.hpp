@@ -15,13 +15,7 @@
 namespace {
 
 // Numbers in one register, and in a row of the squares that rows of so many numbers are taken in.
-#if defined(__AVX512F__)
-constexpr int kInRegister = kLanes;
-#elif defined(__AVX__)
-constexpr int kInRegister = kLanes / 2;
-#else
-constexpr int kInRegister = kLanes / 4;
-#endif
+constexpr int kInRegister = static_cast<int>(kRegisterBytes / sizeof(Real));
 constexpr int side_of_squares(std::size_t width) {
   int side = kInRegister;
   while (static_cast<std::size_t>(side) > width) side /= 2;

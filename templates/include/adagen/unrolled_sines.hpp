@@ -12,6 +12,7 @@
 #include "sample/angles.hpp"
 #include "short_vectors.hpp"
 #include "sizes.hpp"
+#include "value.hpp"
 
 namespace {
 
@@ -20,17 +21,11 @@ namespace {
 // an Intel Xeon. There is no branch for an angle's quadrant, which processors do not foresee.
 typedef std::conditional_t<sizeof(Real) == 8, Two, Four> Register128;
 typedef std::conditional_t<sizeof(Real) == 8, Four, Eight> Register256;
-#if defined(__AVX512F__)
-constexpr int kRegister = 64;
-#elif defined(__AVX__)
-constexpr int kRegister = 32;
-#else
-constexpr int kRegister = 16;
-#endif
 template <int left>  // for so many angles
-using Angles = std::conditional_t<
-    (left <= kWidth<Register128> || kRegister == 16), Register128,
-    std::conditional_t<(left <= 2 * kWidth<Register256> || kRegister == 32), Register256, Lanes>>;
+using Angles =
+    std::conditional_t<(left <= kWidth<Register128> || kRegisterBytes == 16), Register128,
+                       std::conditional_t<(left <= 2 * kWidth<Register256> || kRegisterBytes == 32),
+                                          Register256, Lanes>>;
 
 template <class T, std::size_t count, std::size_t... lane>
 ADAGEN_INLINE T angles_of(const Real* q, const std::array<int, count>& places, std::size_t first,
