@@ -21,7 +21,7 @@ class Batch:
         state: microseconds that a process takes for one.
         given: numbers of a state, configuration, velocity and torques.
         answered: numbers of its accelerations.
-        lanes: states that are solved at once.
+        lanes: what pieces are multiples of but for the last, states that the widest registers hold.
     """
 
     states: int

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "channel.hpp"
-#include "kernels/lanes.hpp"
 #include "sample/parameters.hpp"
 #include "sample/robot.hpp"
 #include "sample/workspace.hpp"
@@ -135,9 +134,12 @@ class Handout {
   // What a message is: states, whose bounds are wanted or not, or answers.
   static constexpr int kStates = 0, kBoundedStates = 1, kSolved = 2, kFailed = 3;
   static constexpr int kEnd = 1;  // numbers in one that ends it all
+  // States that fill the widest registers there are, and narrower ones: processes on other machines
+  // may have others.
+  static constexpr int kFull = 64 / static_cast<int>(sizeof(Number));
   // Most states of a piece: about 64 kB, which take less time to send than to solve.
   static constexpr int kMost =
-      std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Number)) * kLanes)) * kLanes;
+      std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Number)) * kFull)) * kFull;
 
   // A piece at process 0, which another solves, and at that one.
   struct Given {
@@ -167,8 +169,8 @@ class Handout {
   // Pieces shrink towards the end, so that all are done at about the same time; but for the last,
   // they fill all lanes.
   static int piece(int left) {
-    const int share = left / (4 * kProcesses) / kLanes * kLanes;
-    return std::min(left, std::clamp(share, kLanes, kMost));
+    const int share = left / (4 * kProcesses) / kFull * kFull;
+    return std::min(left, std::clamp(share, kFull, kMost));
   }
 
   static bool is_done(MPI_Request& answered, bool& good) {

@@ -7,6 +7,7 @@
 
 namespace {
 
+// Bytes of the machine's widest registers.
 #if defined(__AVX512F__)
 constexpr std::size_t kRegisterBytes = 64;
 #elif defined(__AVX__)
@@ -27,7 +28,7 @@ typedef Real Lanes __attribute__((vector_size(kLaneBytes)));
 #if defined(ADAGEN_BATCH) && !defined(ADAGEN_STATE_BY_STATE)
 using Value = Lanes;  // what is computed with
 #else
-using Value = Real;                     // what is computed with
+using Value = Real;  // what is computed with
 #endif
 
 }  // namespace

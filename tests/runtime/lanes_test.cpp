@@ -1,20 +1,13 @@
 // Numbers side by side, and vectors and bodies of them: adagen/kernels/.
 #include "adagen/kernels/lanes.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 #include "adagen/kernels/algebra.hpp"
 #include "adagen/kernels/columns.hpp"
 #include "adagen/kernels/quaternions.hpp"
 #include "adagen/kernels/scans.hpp"
 #include "adagen/kernels/shuffles.hpp"
-#include "adagen/rows.hpp"
 #include "doctest/doctest.h"
 #include "near.hpp"
 
@@ -28,31 +21,6 @@ Lanes counted(double first, double step) {
   Lanes x{};
   for (int k = 0; k < kLanes; ++k) x[k] = first + step * k;
   return x;
-}
-
-// Rows of so many numbers, one for each state, there and back; no others are read or written.
-template <std::size_t width>
-void go_there_and_back() {
-  for (int states = 1; states <= kLanes; ++states) {
-    const std::size_t count = static_cast<std::size_t>(states) * width;
-    std::vector<Real> rows(count), back(count + 1);
-    std::iota(rows.begin(), rows.end(), Real(1));
-    back[count] = -1;
-    std::array<Lanes, width> lanes{};
-    to_lanes(states, rows.data(), lanes);
-    for (std::size_t k = 0; k < width; ++k)
-      for (int s = 0; s < kLanes; ++s) {
-        const std::size_t state = static_cast<std::size_t>(std::min(s, states - 1));
-        CHECK(lanes[k][s] == rows[state * width + k]);
-      }
-    to_rows(states, lanes, back.data());
-    CHECK(std::equal(rows.begin(), rows.end(), back.begin()));
-    CHECK(back[count] == -1);
-  }
-}
-template <std::size_t... k>
-void go_there_and_back(std::index_sequence<k...>) {
-  (go_there_and_back<k + 1>(), ...);
 }
 
 // A rotation about z.
@@ -80,10 +48,6 @@ TEST_CASE("a square of lanes is transposed") {
     for (int i = 0; i < kLanes; ++i) CHECK(square[k][i] == 10 * i + k);
   CHECK(any_of(square[0] == square[0]));
   CHECK(!any_of(square[0] != square[0]));
-}
-
-TEST_CASE("rows of states become lanes and rows again") {
-  go_there_and_back(std::make_index_sequence<20>{});
 }
 
 TEST_CASE("not a number is neither positive nor zero in any lane") {

@@ -14,22 +14,19 @@
 
 namespace {
 
-// Numbers in one register, and in a row of the squares that rows of so many numbers are taken in.
-constexpr int kInRegister = static_cast<int>(kRegisterBytes / sizeof(Real));
+// Numbers in a row of the squares that rows of so many numbers are taken in.
 constexpr int side_of_squares(std::size_t width) {
-  int side = kInRegister;
+  int side = kLanes;
   while (static_cast<std::size_t>(side) > width) side /= 2;
   return side;
 }
 
 // Does something for squares that cover all lanes and so many columns, several in a register: with
-// their first state and first column. The last columns overlap with those before.
+// their first column. The last columns overlap with those before.
 template <int side, std::size_t width, class Do>
 ADAGEN_INLINE void for_squares(const Do& square) {
   constexpr std::size_t kSide = static_cast<std::size_t>(side);
-  for (std::size_t k = 0; k < width; k += kSide)
-    ADAGEN_FOR (registers, 0, kLanes / kInRegister)
-      square(static_cast<std::size_t>(registers * kInRegister), std::min(k, width - kSide));
+  for (std::size_t k = 0; k < width; k += kSide) square(std::min(k, width - kSide));
 }
 
 // Rows of numbers, one for each state, become lanes; lanes without a state repeat the last one.
@@ -38,15 +35,13 @@ void to_lanes(int states, const Real* rows, std::array<Lanes, width>& lanes) {
   constexpr int side = side_of_squares(width);
   if constexpr (side > 1) {
     if (states == kLanes)
-      return for_squares<side, width>([&](std::size_t s, std::size_t k) ADAGEN_ALWAYS {
-        typename Several<kInRegister>::T columns[side];
+      return for_squares<side, width>([&](std::size_t k) ADAGEN_ALWAYS {
+        Lanes columns[side];
         ADAGEN_FOR (j, 0, side)
-          columns[j] = collected<side, kInRegister>(
-              rows + (s + static_cast<std::size_t>(j)) * width + k, side * width);
+          columns[j] =
+              collected<side, kLanes>(rows + static_cast<std::size_t>(j) * width + k, side * width);
         transpose(columns);
-        ADAGEN_FOR (j, 0, side)
-          std::memcpy(reinterpret_cast<Real*>(&lanes[k + static_cast<std::size_t>(j)]) + s,
-                      &columns[j], sizeof columns[j]);
+        ADAGEN_FOR (j, 0, side) lanes[k + static_cast<std::size_t>(j)] = columns[j];
       });
   }
   for (std::size_t k = 0; k < width; ++k)
@@ -70,16 +65,13 @@ void to_rows(int states, const std::array<Lanes, width>& lanes, Real* rows) {
   constexpr int side = side_of_squares(width);
   if constexpr (side > 1) {
     if (states == kLanes)
-      return for_squares<side, width>([&](std::size_t s, std::size_t k) ADAGEN_ALWAYS {
-        typename Several<kInRegister>::T columns[side];
-        ADAGEN_FOR (j, 0, side)
-          std::memcpy(&columns[j],
-                      reinterpret_cast<const Real*>(&lanes[k + static_cast<std::size_t>(j)]) + s,
-                      sizeof columns[j]);
+      return for_squares<side, width>([&](std::size_t k) ADAGEN_ALWAYS {
+        Lanes columns[side];
+        ADAGEN_FOR (j, 0, side) columns[j] = lanes[k + static_cast<std::size_t>(j)];
         transpose(columns);
         ADAGEN_FOR (j, 0, side)
-          scatter<side, kInRegister>(
-              columns[j], rows + (s + static_cast<std::size_t>(j)) * width + k, side * width);
+          scatter<side, kLanes>(columns[j], rows + static_cast<std::size_t>(j) * width + k,
+                                side * width);
       });
   }
   for (int s = 0; s < states; ++s)
