@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterable, Sequence
 from functools import lru_cache
 
-from adagen.executor.counted import counted, may_share
 from adagen.executor.lane_frames import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
 from adagen.executor.run import Simulated, each_for_itself
@@ -84,8 +83,7 @@ def stretches_of(plan: Plan, grouping: Grouping, held: float) -> tuple[tuple[Str
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    line = (counted(plan, grouping) if may_share(plan) else None) or each_for_itself(plan, grouping)
-    return stretches_in(line, plan, held)
+    return stretches_in(each_for_itself(plan, grouping), plan, held)
 
 
 def stretches_in(

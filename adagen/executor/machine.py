@@ -160,10 +160,6 @@ class Machine(Repeatable):
         swept = [x for _, x, _ in self.swept.left] if self.swept else []
         return [*results, *given, *contents, *pivots, *lengths, *energies, *swept]
 
-    def marks(self) -> dict[int, int]:
-        """Return the place of the step that each of its nodes belongs to, in ascending order."""
-        return {index: node.mark for index, node in enumerate(self.graph.nodes)}
-
     # -- messages ---------------------------------------------------------------------------------
 
     def _items(self, message: Message) -> list[Any]:

@@ -29,14 +29,11 @@ class ProcessMemory:
     def __init__(self, plan: Plan, graph: Graph | Numbers | None = None) -> None:
         self.plan = plan
         self.graph: Any = Graph() if graph is None else graph
-        self.memory: dict[Any, Any] = self._empty_memory()
+        self.memory: dict[Any, Any] = {}
         self.columns = plan.right_hand_sides
         self.passed: dict[tuple[str, int], Array] = {}
         self.eliminated: dict[tuple[str, tuple[int, ...]], Array] = {}
         self._constants: dict[float, Any] = {}
-
-    def _empty_memory(self) -> dict[Any, Any]:
-        return {}
 
     def constants(self, values: Any) -> Array:
         """Return numbers as constants, in the shape they have."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import accumulate, chain
 from typing import Any
@@ -13,9 +13,11 @@ from adagen.executor.lanes import Grouping, steps_in_order
 from adagen.executor.machine import Machine
 from adagen.executor.state import Refining
 from adagen.graph import Operations, count_operations, uses_of
+from adagen.plan.messages import Message
+from adagen.plan.own_axes import losing_joints
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turns import by_turns
-from adagen.plan.types import Plan
+from adagen.plan.types import Plan, Process
 
 
 class PlanError(Exception):
@@ -37,20 +39,14 @@ class Simulated:
     known: dict[float, list[Any]] = field(default_factory=dict, compare=False)
 
     @cached_property
-    def marks(self) -> dict[int, int]:
-        """The place of the step that each of the process's nodes belongs to, in ascending order."""
-        return self.machine.marks()
-
-    @cached_property
     def uses(self) -> list[int]:
         """How often each node of the graph is used by what is needed of the process."""
-        machine = self.machine
-        return uses_of(machine.graph, machine.roots(), list(self.marks))
+        return uses_of(self.machine.graph, self.machine.roots())
 
     @cached_property
     def alive(self) -> list[int]:
         """Indices of all its nodes that are needed, ascending."""
-        return [index for index in self.marks if self.uses[index]]
+        return [index for index, used in enumerate(self.uses) if used]
 
     @cached_property
     def operations(self) -> Operations:
@@ -80,7 +76,25 @@ def each_for_itself(
 @lru_cache(maxsize=3)  # a plan is judged, priced and emitted one after the other
 def lines_of(plan: Plan, refining: Refining = None) -> Lines:
     """Return the straight lines of a plan's processes, in whatever grouping they are asked for."""
-    return Lines(plan, refining)
+    known = None if plan.weighed else _lines_of_robot(_without_processes(plan), refining)
+    return Lines(plan, refining, known)
+
+
+_Made = tuple[Process, tuple[tuple[int, Message], ...], tuple[Limbs, ...]]
+"""What a line is made from beside the robot: steps, messages by number, and limbs in lanes."""
+_MOST = 600_000
+"""Values of known lines beyond which all are forgotten."""
+
+
+def _without_processes(plan: Plan) -> Plan:
+    """The robot of a plan, which other plans have, too."""
+    return replace(plan, schedule="", processes=(), messages=(), line=())
+
+
+@lru_cache(maxsize=2)  # a search tries many plans of one robot, which have processes in common
+def _lines_of_robot(robot: Plan, refining: Refining) -> dict[_Made, _Line]:  # noqa: ARG001
+    """The lines that are known of a robot's plans."""
+    return {}
 
 
 @dataclass(frozen=True)
@@ -90,12 +104,14 @@ class _Line:
     Attributes:
         simulated: the process after all its steps.
         robot: the plan with link frames turned.
+        losing: joints that may lose digits, whose inertias are turned exactly.
         heard: contents of the messages that it received, by number.
         told: of those that it sent.
     """
 
     simulated: Simulated
     robot: Plan
+    losing: frozenset[int]
     heard: dict[int, Any]
     told: dict[int, Any]
 
@@ -103,14 +119,21 @@ class _Line:
 class Lines:
     """The straight lines of a plan's processes, kept for as long as the plan is of interest.
 
-    Where a grouping changes the limbs of some processes only, the others' lines stay as they are,
-    unless a link frame is turned, or a message has another structure, that they use.
+    Where a grouping, or another plan, changes some processes only, the others' lines stay as they
+    are, unless a link frame is turned, or a message has another structure, that they use.
+
+    Args:
+        plan: the plan.
+        refining: what of iterative refinement is computed, if any.
+        known: lines of this plan and others of its robot; those that are made are added.
     """
 
-    def __init__(self, plan: Plan, refining: Refining) -> None:
+    def __init__(
+        self, plan: Plan, refining: Refining, known: dict[_Made, _Line] | None = None
+    ) -> None:
         self.plan, self.refining = plan, refining
         self.together: dict[Grouping, tuple[Simulated, ...]] = {}
-        self._known: dict[tuple[int, tuple[Limbs, ...]], _Line] = {}
+        self._known = {} if known is None else known
 
     def in_lanes(self, limbs: Grouping) -> tuple[Simulated, ...]:
         """Return all processes after their steps, with limbs in lanes.
@@ -122,30 +145,20 @@ class Lines:
             self.together[limbs] = self._all(limbs)
         return self.together[limbs]
 
-    def turned(self, limbs: Grouping) -> Plan:
-        """Return the plan with link frames turned for limbs in lanes."""
-        return aligned(self.plan, chain.from_iterable(limbs)) if any(limbs) else self.plan
-
-    def machine(self, p: int, robot: Plan, mail: dict[int, Any], own: tuple[Limbs, ...]) -> Machine:
-        """Return process p before its first step.
-
-        Args:
-            p: which.
-            robot: the plan with link frames turned.
-            mail: messages sent so far.
-            own: its limbs in lanes.
-        """
-        steps = self.plan.processes[p].steps
-        return Machine(robot, mail, self.refining, None, own, steps, self.plan)
-
     def _all(self, limbs: Grouping) -> tuple[Simulated, ...]:
-        robot = self.turned(limbs)
+        robot = aligned(self.plan, chain.from_iterable(limbs)) if any(limbs) else self.plan
         alike = {p: line for p, own in enumerate(limbs) if (line := self._alike(p, own, robot))}
         return self._beside(alike, limbs, robot) or self._beside({}, limbs, robot)
 
+    def _made(self, p: int, own: tuple[Limbs, ...]) -> _Made:
+        """What the line of a process with limbs in lanes is made from."""
+        numbered = enumerate(self.plan.messages)
+        messages = tuple((n, each) for n, each in numbered if p in (each.source, each.target))
+        return self.plan.processes[p], messages, own
+
     def _alike(self, p: int, own: tuple[Limbs, ...], robot: Plan) -> _Line | None:
         """The line of a process with limbs in lanes, if its joints and links are still the same."""
-        line = self._known.get((p, own))
+        line = self._known.get(self._made(p, own))
         if line is None or self.plan.certified:  # bounds are of others' limbs, too
             return None
         process, before = self.plan.processes[p], line.robot
@@ -154,7 +167,8 @@ class Lines:
             robot.joints[j] == before.joints[j] and robot.links[j + 1] == before.links[j + 1]
             for j in joints
         )
-        return line if same and _attached(robot) == _attached(before) else None
+        turned = joints & losing_joints(self.plan) == joints & line.losing
+        return line if same and turned and _attached(robot) == _attached(before) else None
 
     def _beside(
         self, known: Mapping[int, _Line], limbs: Grouping, robot: Plan
@@ -168,16 +182,21 @@ class Lines:
         for line in known.values():
             mail.update(line.told)
         machines = {
-            p: self.machine(p, robot, mail, own) for p, own in enumerate(limbs) if p not in known
+            p: Machine(robot, mail, self.refining, None, own, plan.processes[p].steps, plan)
+            for p, own in enumerate(limbs)
+            if p not in known
         }
         found = _after_all_steps(plan, machines)
         if any(line.heard != _part(mail, line.heard) for line in known.values()):
             return ()
+        if sum(len(line.simulated.machine.graph.nodes) for line in self._known.values()) > _MOST:
+            self._known.clear()
         for p, simulated in found.items():
             heard = [n for n, message in enumerate(plan.messages) if message.target == p]
             told = machines[p].sent
-            line = _Line(simulated, robot, _part(mail, heard), _part(mail, told))
-            self._known[p, limbs[p]] = line
+            exchanged = _part(mail, heard), _part(mail, told)
+            line = _Line(simulated, robot, losing_joints(plan), *exchanged)
+            self._known[self._made(p, limbs[p])] = line
         return tuple((found.get(p) or known[p].simulated) for p in range(len(limbs)))
 
 

@@ -161,7 +161,7 @@ class State(ProcessMemory):
         cosine = self.graph.input(f"cosine[{k}]", READY, width)
         return cosine, self.graph.input(f"sine[{k}]", READY, width)
 
-    def place_of_angles(self, own: tuple[Expression, ...]) -> int | str:
+    def place_of_angles(self, own: tuple[Expression, ...]) -> int:
         """Return where angles lie, one for each lane, behind all others if they are new."""
         k = self._place_of_angles.setdefault(own, len(self.angles))
         if k == len(self.angles):

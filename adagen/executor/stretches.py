@@ -100,18 +100,17 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
     stretch = _stretch_of(steps)
     counts: list[dict[int, int]] = [{} for _ in range(stretch[-1] + 1 if stretch else 1)]
     done = [0] * len(counts)  # cycles until a stretch's last value is there
-    nodes, marks = simulated.machine.graph.nodes, simulated.marks
+    nodes = simulated.machine.graph.nodes
     ready = [0] * len(nodes)
     for index in simulated.alive:
-        op, args, _, there, _, _ = nodes[index]
-        mark = marks[index]
+        op, args, _, there, mark, _ = nodes[index]
         here = stretch[mark] if stretch else 0
         before = waits = 0
         for k in args:  # comparisons instead of max: this loop runs for every statement
-            _, _, _, earlier, _, _ = nodes[k]
+            _, _, _, earlier, source, _ = nodes[k]
             if earlier > before:
                 before = earlier
-            if ready[k] > waits and stretch[marks[k]] == here:
+            if ready[k] > waits and stretch[source] == here:
                 waits = ready[k]
         if there > before:
             waits += there - before

@@ -208,7 +208,6 @@ class SweptRows:
         (angle, *_), _ = self.state.configuration(j)
         lanes = [angle.graph.lane(angle, k) for k in range(angle.node.width)]
         place = self.state.place_of_angles(tuple(lanes))
-        assert isinstance(place, int)  # named otherwise where lines are only counted
         return [place + k for k in range(len(lanes))]
 
     def _gathers(self, link: int) -> int:

@@ -45,21 +45,13 @@ class Operations:
         return self.arithmetic - self.fused + self.divide + self.negate + self.moves
 
 
-def uses_of(
-    graph: Graph, roots: Iterable[Expression], among: Sequence[int] | None = None
-) -> list[int]:
-    """Return for each node how often it is used by what the roots depend on, and as a root.
-
-    Args:
-        graph: it.
-        roots: what is wanted.
-        among: nodes that are looked at, ascending, all if not given; on others no root depends.
-    """
+def uses_of(graph: Graph, roots: Iterable[Expression]) -> list[int]:
+    """Return for each node how often it is used by what the roots depend on, and as a root."""
     nodes = graph.nodes
     uses = [0] * len(nodes)
     for root in roots:
         uses[root.index] += 1
-    for index in reversed(range(len(nodes)) if among is None else among):
+    for index in range(len(nodes) - 1, -1, -1):
         if uses[index]:
             for k in nodes[index].args:
                 uses[k] += 1

@@ -18,15 +18,12 @@ from adagen.graph.expressions import Expression
 Array = NDArray[Any]
 
 
-def _ready(term: Expression) -> int:
-    return term.graph.nodes[term.index].ready
-
-
 def total(terms: Iterable[Expression]) -> Expression:
     """Return the sum of at least one term."""
     found = list(terms)
     if len(found) > 1 and type(found[0]) is Expression:  # numbers are all there at once
-        found.sort(key=_ready)
+        nodes = found[0].graph.nodes
+        found.sort(key=lambda term: nodes[term.index].ready)
     first, *others = found
     for term in others:
         first = first + term
