@@ -97,13 +97,17 @@ ADAGEN_INLINE T one_by_one(const T& a, const T& b, const T& c) {
 }
 
 #if defined(ADAGEN_ASKED_FOR_FMA)
-// Not inline: compilers would take minutes for thousands of branches in one function.
+// Out of the way: compilers would take minutes for thousands of such branches in one function.
 template <Signs signs, class T>
-ADAGEN_NOINLINE T as_asked(const T& a, const T& b, const T& c) {
+ADAGEN_COLD T without_registers(T a, T b, T c) {
+  return one_by_one<signs>(a, b, c);
+}
+template <Signs signs, class T>
+ADAGEN_INLINE T as_asked(const T& a, const T& b, const T& c) {
   if constexpr (sizeof(T) >= kFusedBytes) {
     if (__builtin_expect(kHasFma, 1)) return by_registers<signs>(a, b, c);
   }
-  return one_by_one<signs>(a, b, c);
+  return without_registers<signs>(a, b, c);
 }
 #endif
 
