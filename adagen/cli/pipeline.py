@@ -131,29 +131,7 @@ def choose_schedule(model: Model, options: argparse.Namespace, stages: Stages) -
         note(f"--procs auto: {found.request.procs} (predicted: {times}; {found.profile} profile)")
     if found.unpaid is not None:
         _warn(options, f"{found.unpaid_in_words}; use --procs 1 or auto")
-    if found.schedule.parts and options.profile in _WITH_AVX512:
-        _note_narrow_registers(found.profile)
     return found
-
-
-_WITH_AVX512 = ("default", "xeon")
-"""Shipped profiles of processors with AVX-512, on which parts of chains pay."""
-
-
-def _note_narrow_registers(profile: str) -> None:
-    """Say what fits, where solvers are built for narrower registers than the profile's processor's.
-
-    The profile stays as it is: what is generated must not depend on the machine it is generated on.
-    """
-    from adagen.build.registers import find_registers
-
-    found = find_registers()
-    if found is not None and not found.hold_parts:
-        note(
-            f"the {profile} profile has long chains in eight parts, which g++ keeps in memory if "
-            f"registers have {found.bits} bits, as here: build by clang++ (make CXX=clang++) or "
-            "add --profile avx2"
-        )
 
 
 @contextmanager

@@ -6,7 +6,10 @@
 
 #include "arithmetic.hpp"
 
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
 #if defined(__clang__)
 #define ADAGEN_FOR(k, first, last) \

@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 
 import adagen
-from adagen.build.registers import Registers
 from adagen.calibrate import profile_text
 from adagen.cli import main
 from adagen.cli.predicted import prediction
@@ -22,7 +21,6 @@ from adagen.search import best_schedule
 from tests.cli.robots import write_arm
 from tests.cost.costs import step_profile
 from tests.models import serial_chain
-from tests.slow import slow
 
 
 @pytest.fixture
@@ -179,32 +177,3 @@ def test_a_proof_is_told_of_the_price_that_was_searched_and_of_no_other() -> Non
     assert prediction(replace(schedule, makespan=9.0), line) == f"{told})"
     searched = replace(schedule, makespan=line.makespan, lower_bound=line.makespan)
     assert prediction(searched, line) == f"{told}; optimal)"
-
-
-@pytest.mark.parametrize(
-    ("registers", "noted"),
-    [
-        (Registers(256, halved=False), True),
-        slow(Registers(256, halved=True), False),
-        (Registers(512, halved=False), False),
-        slow(None, False),
-    ],
-)
-def test_narrow_registers_are_noted_where_a_chain_is_in_parts(
-    registers: Registers | None,
-    noted: bool,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr("adagen.build.registers.find_registers", lambda: registers)
-    arm = write_arm(tmp_path / "arm.urdf", 300)
-    asked = [("default", 8, noted)]
-    if noted:  # with the profile that is advised, nothing is said
-        asked.append(("avx2", 0, False))
-    for profile, parts, told in asked:
-        words = ["schedule", str(arm), "--procs", "1", "--profile", profile, "--json"]
-        assert main(words) == 0
-        stdout, stderr = capsys.readouterr()
-        assert json.loads(stdout).get("parts", 0) == parts
-        assert ("or add --profile avx2" in " ".join(stderr.split())) == told

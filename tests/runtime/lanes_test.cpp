@@ -8,6 +8,7 @@
 #include "adagen/kernels/quaternions.hpp"
 #include "adagen/kernels/scans.hpp"
 #include "adagen/kernels/shuffles.hpp"
+#include "adagen/registers.hpp"
 #include "doctest/doctest.h"
 #include "near.hpp"
 
@@ -30,6 +31,58 @@ Matrix<double> about_z(double angle) {
 }
 
 }  // namespace
+
+// What one register holds, or two or four of 128 bits.
+using TwoNumbers = SideBySide<double, 2>::T;
+TEST_CASE_TEMPLATE("numbers in several registers are computed with one by one", T, TwoNumbers,
+                   Halves<TwoNumbers>, Halves<Halves<TwoNumbers>>, Lanes) {
+  constexpr std::size_t count = sizeof(T) / sizeof(double);
+  double a[count], b[count], stored[count + 1];
+  for (std::size_t k = 0; k < count; ++k)
+    a[k] = 1.5 + static_cast<double>(k), b[k] = 2.5 - 0.75 * static_cast<double>(k % 3);
+  const T x = from_memory<T>(a), y = from_memory<T>(b), none{};
+  const T results[]{x + y, x - y, x * y, x / y, -x, 2 - x, x * 3, 1 / y};
+  T sum = x;
+  sum += y, sum *= x, sum -= 1;
+  const auto less = x < y, same = ~(x == x);
+  const T least =
+      same_bits<T>((same_bits<BitsOf<T>>(x) & less) | (same_bits<BitsOf<T>>(y) & ~less));
+  const T first = from_memory<T, sizeof(double)>(a);
+  stored[count] = -1;
+  to_memory(sum, stored);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double expected[]{a[k] + b[k], a[k] - b[k], a[k] * b[k], a[k] / b[k],
+                            -a[k],       2 - a[k],    a[k] * 3,    1 / b[k]};
+    for (std::size_t i = 0; i < 8; ++i) CHECK(results[i][k] == expected[i]);
+    CHECK(stored[k] == (a[k] + b[k]) * a[k] - 1);
+    CHECK(least[k] == std::min(a[k], b[k]));
+    CHECK(none[k] == 0);
+    CHECK(first[k] == (k == 0 ? a[0] : 0));
+  }
+  CHECK(stored[count] == -1);
+  CHECK(any_of(less));
+  CHECK(!any_of(same));
+}
+
+template <class T, std::size_t... k>
+void shuffle_all(std::index_sequence<k...>) {
+  constexpr int count = sizeof...(k);
+  const T x{static_cast<double>(k)...}, y = x + count;
+  const T reversed = shuffled<(count - 1 - static_cast<int>(k))...>(x, y);
+  const T behind = shuffled<(static_cast<int>(k) + count / 2 + 1)...>(x, y);
+  const T spread = shuffled<(static_cast<int>(k) * 2 * count / (count + 1))...>(x, y);
+  const T moved_by_one = moved(x, BitsOf<T>{(static_cast<int>(k) + 1) % count...});
+  for (int i = 0; i < count; ++i) {
+    CHECK(reversed[i] == count - 1 - i);
+    CHECK(behind[i] == i + count / 2 + 1);
+    CHECK(spread[i] == i * 2 * count / (count + 1));
+    CHECK(moved_by_one[i] == (i + 1) % count);
+  }
+}
+TEST_CASE_TEMPLATE("numbers in several registers change places", T, TwoNumbers, Halves<TwoNumbers>,
+                   Halves<Halves<TwoNumbers>>, Lanes) {
+  shuffle_all<T>(std::make_index_sequence<sizeof(T) / sizeof(double)>{});
+}
 
 TEST_CASE("sines and cosines of all lanes have the last place right, near and far") {
   for (const double angle : {0.0, 1e-9, 0.5, -0.785, 3.14159, -1000.25, 12345.678, 1e6}) {

@@ -198,7 +198,7 @@ ADAGEN_NOINLINE void weigh_parts(Workspace& w, const SweptParts& swept, const Sh
   const Symmetric<Lanes>&A = swept.bodies.A, &C = swept.bodies.C;
   const Lanes known =  // of the least pivots; see seen_by
       1 - Real(kUnit) * (turns * (A.xx + A.yy + A.zz) + slides * (C.xx + C.yy + C.zz));
-  found.seen += known > Lanes{} ? own / known : own + std::numeric_limits<Real>::infinity();
+  found.seen += chosen(known > Lanes{}, own / known, own + std::numeric_limits<Real>::infinity());
   const Value seen = over_links(found.seen), apart = over_links(parted);
   w.seen += seen + apart + 2 * std::sqrt(larger(seen * apart, Value{}));
   w.rounded += over_links(found.rounded), w.energy += over_links(moved.energy);

@@ -62,10 +62,8 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
 template <int first>
 ADAGEN_INLINE Column eight(const Lanes& x) {
   Real numbers[kLanes];
-  std::memcpy(numbers, &x, sizeof x);
-  Column result;
-  std::memcpy(&result, numbers + first, sizeof result);
-  return result;
+  to_memory(x, numbers);
+  return from_memory<Column>(numbers + first);
 }
 
 // One number of a column in all lanes.

@@ -34,7 +34,7 @@ ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
 
 // x - x is zero, in all bits, for finite x only.
 ADAGEN_INLINE LaneBits unlike_zero(const Value* x) {
-  return reinterpret_cast<LaneBits>(wide(x) - wide(x));
+  return same_bits<LaneBits>(wide(x) - wide(x));
 }
 ADAGEN_INLINE bool finite(const Value* x, int count) {
   LaneBits found{};

@@ -20,7 +20,7 @@ namespace {
 
 // Constants of each of the joints.
 template <class T>
-ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::*member) {
   const int place = constants_at(joints.slot / kPerBlock);
   const auto& block = kBlockConstants[static_cast<std::size_t>(place)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
@@ -45,14 +45,12 @@ ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
 }
 
 ADAGEN_INLINE Lanes wide(const PerJoint& x) {
-  Lanes result;
   if constexpr (sizeof(PerJoint) == sizeof(Lanes))
-    std::memcpy(&result, x.data(), sizeof result);
+    return from_memory<Lanes>(x.data());
   else
-    result = x[0] + Lanes{};
-  return result;
+    return x[0] + Lanes{};
 }
-ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { to_memory(x, to); }
 ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
   return {wide(x[0]), wide(x[1]), wide(x[2])};
 }

@@ -103,7 +103,7 @@ struct alignas(64) Block {
 // Three numbers of each of the joints, that follow each other in x.
 template <class T>
 ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
-                                    int JointConstants::* place) {
+                                    int JointConstants::*place) {
   const auto number = [&](int k) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
   };
@@ -135,7 +135,7 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 
 // Whether a joint's axis lies beside what it is treated with, and not with those of its block.
 template <class T>
-constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
+constexpr bool kWithAxis = kByColumns&& kWidth<T> == 1;
 // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
 constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
 
@@ -219,13 +219,11 @@ struct Workspace : State, Cuts, Inertias {
 
 template <class T = Value>
 ADAGEN_INLINE T number_at(const Value* x) {
-  T result;
-  std::memcpy(&result, x, sizeof result);
-  return result;
+  return from_memory<T>(x);
 }
 template <class T>
 ADAGEN_INLINE void put_at(Value* x, const T& number) {
-  std::memcpy(x, &number, sizeof number);
+  to_memory(number, x);
 }
 template <class T = Value>
 ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
@@ -284,11 +282,7 @@ ADAGEN_INLINE const Number* add(const Number* from, Body<T>& X) {
   return from;
 }
 
-ADAGEN_INLINE Lanes wide(const Value* x) {
-  Lanes result;
-  std::memcpy(&result, x, sizeof result);
-  return result;
-}
+ADAGEN_INLINE Lanes wide(const Value* x) { return from_memory<Lanes>(x); }
 
 // The torque along one of a joint's freedoms that reaches the links: less damping, spring and
 // friction.

@@ -108,7 +108,7 @@ ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) 
   Real over[6];
   bool good = true;
   ADAGEN_FOR (i, 0, 6) {
-    std::memcpy(&rows[i], m.data() + 6 * i, 6 * sizeof(Real));
+    rows[i] = from_memory<Lanes, 6 * sizeof(Real)>(m.data() + 6 * i);
     X[i][i] = 1;
   }
   ADAGEN_FOR (c, 0, 6) {
@@ -124,7 +124,7 @@ ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) 
   ADAGEN_FOR (i, 0, 6) {
     Lanes sum{};
     ADAGEN_FOR (k, i, 6) sum += X[k] * (X[k][i] * over[k]);
-    std::memcpy(inverse.data() + 6 * i, &sum, 6 * sizeof(Real));
+    first_to_memory<6 * sizeof(Real)>(sum, inverse.data() + 6 * i);
   }
   ADAGEN_FOR (i, 0, 6)
     ADAGEN_FOR (k, 0, i) inverse(k, i) = inverse(i, k);
@@ -224,9 +224,7 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
 
 ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
   const auto row = [&transposed](int k) {
-    Lanes result{};
-    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
-    return result;
+    return from_memory<Lanes, 6 * sizeof(Real)>(transposed.data() + 6 * k);
   };
   return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
 }
@@ -234,7 +232,7 @@ ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
   Mat6 result;
   const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
                           &a.linear.x,  &a.linear.y,  &a.linear.z};
-  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
+  for (int k = 0; k < 6; ++k) first_to_memory<6 * sizeof(Real)>(*rows[k], result.data() + 6 * k);
   return result;
 }
 

@@ -32,11 +32,6 @@
 #include "shuffles.hpp"
 #include "strips.hpp"
 
-#if defined(ADAGEN_SOLVER) && defined(__x86_64__) && !defined(__AVX512F__) && !defined(__clang__)
-// g++ keeps vectors in memory that are wider than registers, clang++ takes several registers.
-#pragma message("chain in parts: make CXX=clang++, or adagen MODEL --profile avx2, is faster here")
-#endif
-
 namespace {
 
 // A long run of hinges that is parted (adagen/plan/parts.py), one part in each lane: a part is a
@@ -58,10 +53,10 @@ constexpr LaneBits first_lane(std::index_sequence<lane...>) {
 // Numbers that consist of lanes become zero in all lanes but some.
 template <class T>
 ADAGEN_INLINE void clear_others(const LaneBits& kept, T& numbers) {
-  Lanes all[sizeof numbers / sizeof(Lanes)];
-  std::memcpy(all, &numbers, sizeof all);
-  for (Lanes& each : all) each = chosen(kept, each, Lanes{});
-  std::memcpy(&numbers, all, sizeof all);
+  ADAGEN_FOR (k, 0, static_cast<int>(sizeof numbers / sizeof(Lanes))) {
+    char* const own = reinterpret_cast<char*>(&numbers) + k * sizeof(Lanes);
+    to_memory(chosen(kept, from_memory<Lanes>(own), Lanes{}), own);
+  }
 }
 
 // Bodies beyond the joints that parts hang on by, each about its first link, without that.
@@ -151,7 +146,7 @@ struct SweptParts {
   // become along one direction.
   ADAGEN_INLINE void column(int k, Lanes (&found)[6]) const {
     using V = Vector<Lanes>;
-    constexpr Lanes V::* components[]{&V::x, &V::y, &V::z};
+    constexpr Lanes V::*components[]{&V::x, &V::y, &V::z};
     ADAGEN_FOR (i, 0, 6) {
       const ThreeWrenches& own = i < 3 ? moments : forces;
       found[i] = (k < 3 ? own.n : own.f)[i % 3].*components[k % 3];

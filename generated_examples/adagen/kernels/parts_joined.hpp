@@ -87,16 +87,7 @@ constexpr Places places(std::index_sequence<lane...>) {
 template <int count>
 [[maybe_unused]] constexpr Places kPlaces = places<count>(std::make_index_sequence<kPerBlock>{});
 
-// Each lane's number from where it is said to be: not by constants, as levels share their code.
-ADAGEN_INLINE Lanes moved(const Lanes& x, const LaneBits& from) {
-#if defined(__clang__)
-  Lanes result = x;
-  for (int lane = 0; lane < kPerBlock; ++lane) result[lane] = x[from[lane]];
-  return result;
-#else
-  return __builtin_shuffle(x, from);
-#endif
-}
+// Not by constants, as levels share their code.
 ADAGEN_INLINE Vector<Lanes> moved(const Vector<Lanes>& x, const LaneBits& from) {
   return {moved(x.x, from), moved(x.y, from), moved(x.z, from)};
 }
@@ -104,11 +95,10 @@ ADAGEN_INLINE Vector<Lanes> moved(const Vector<Lanes>& x, const LaneBits& from) 
 template <class T>
 ADAGEN_INLINE void choose(const LaneBits& first, const T& x, const T& y, T& to) {
   ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof(Lanes))) {
-    Lanes own, other;
-    std::memcpy(&own, reinterpret_cast<const char*>(&x) + k * sizeof own, sizeof own);
-    std::memcpy(&other, reinterpret_cast<const char*>(&y) + k * sizeof own, sizeof own);
-    own = chosen(first, own, other);
-    std::memcpy(reinterpret_cast<char*>(&to) + k * sizeof own, &own, sizeof own);
+    const std::size_t at = static_cast<std::size_t>(k) * sizeof(Lanes);
+    const Lanes own = from_memory<Lanes>(reinterpret_cast<const char*>(&x) + at);
+    const Lanes other = from_memory<Lanes>(reinterpret_cast<const char*>(&y) + at);
+    to_memory(chosen(first, own, other), reinterpret_cast<char*>(&to) + at);
   }
 }
 
@@ -300,8 +290,9 @@ constexpr bool any_rotor(std::index_sequence<lane...>) {
   return ((kJoints[Run::joint(static_cast<int>(lane), 0)].passive.rotor != 0) || ...);
 }
 template <class Run>
-[[maybe_unused]] constexpr int kJoinRows =
-    any_rotor<Run>(std::make_index_sequence<kPerBlock>{}) ? 6 : 5;
+[[maybe_unused]] constexpr int kJoinRows = any_rotor<Run>(std::make_index_sequence<kPerBlock>{})
+                                               ? 6
+                                               : 5;
 
 // Where what the joined chain shows is put: Phi and b of its first and its last link, and across;
 // nothing at ends to which nothing is joined.

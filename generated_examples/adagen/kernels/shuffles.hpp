@@ -1,11 +1,14 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <utility>
 
 #include "../common.hpp"
+#include "../registers.hpp"
+#include "../sizes.hpp"
 #include "lanes.hpp"
 
 namespace {
@@ -18,6 +21,46 @@ ADAGEN_INLINE V shuffled(const V& x, const V& y) {
 #else
   return __builtin_shuffle(x, y, decltype(x < y){k...});
 #endif
+}
+
+// The same of halves: each half of what comes out is mostly shuffled from two.
+template <int... k, class T>
+ADAGEN_INLINE T shuffled_half(const T (&halves)[4]) {
+  constexpr int n = sizeof...(k), from[]{k / n...};
+  constexpr int one = from[0], other = std::max({k / n == one ? 0 : k / n...});
+  if constexpr (((k / n == one || k / n == other) && ...))
+    return shuffled<(k / n == one ? k % n : n + k % n)...>(halves[one], halves[other]);
+  else
+    return T{halves[k / n][k % n]...};
+}
+template <int... k, class T, std::size_t... half>
+ADAGEN_INLINE Halves<T> shuffled_halves(const T (&halves)[4], std::index_sequence<half...>) {
+  constexpr int from[]{k...};
+  return Halves<T>::of(shuffled_half<from[half]...>(halves),
+                       shuffled_half<from[sizeof...(half) + half]...>(halves));
+}
+template <int... k, class T>
+ADAGEN_INLINE Halves<T> shuffled(const Halves<T>& x, const Halves<T>& y) {
+  return shuffled_halves<k...>({x.low, x.high, y.low, y.high},
+                               std::make_index_sequence<sizeof...(k) / 2>{});
+}
+
+// Each lane's number from where it is said to be: not by constants.
+template <class V>
+ADAGEN_INLINE V moved(const V& x, const BitsOf<V>& from) {
+#if !defined(__clang__)
+  if constexpr (!kOfHalves<V>)
+    return __builtin_shuffle(x, from);
+  else if constexpr (!kOfHalves<decltype(V::low)>)
+    return V::of(__builtin_shuffle(x.low, x.high, from.low),
+                 __builtin_shuffle(x.low, x.high, from.high));
+  else
+#endif
+  {
+    V result = x;
+    ADAGEN_FOR (k, 0, static_cast<int>(sizeof(V) / sizeof(Real))) result[k] = x[from[k]];
+    return result;
+  }
 }
 
 // Rows x and y of a square: what lies in columns apart by a distance changes places.

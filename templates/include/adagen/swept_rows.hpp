@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "common.hpp"
+#include "kernels/shuffles.hpp"
 #include "sample/unrolled.hpp"
 #include "short_vectors.hpp"
 #include "sizes.hpp"
@@ -111,18 +112,6 @@ ADAGEN_INLINE T of_angles(const Real* from, const std::array<short, kWidth<T>>& 
   return T{from[places[lane]]...};
 }
 
-// Each lane's number from where it is said to be.
-template <class T>
-ADAGEN_INLINE T from_lanes(const T& x, const BitsOf<T>& from) {
-#if defined(__clang__)
-  T result = x;
-  ADAGEN_FOR (k, 0, kWidth<T>) result[k] = x[from[k]];
-  return result;
-#else
-  return __builtin_shuffle(x, from);
-#endif
-}
-
 // Adds what lanes hand on to those of another record, in several passes where they meet there.
 template <int gathered, class T>
 ADAGEN_INLINE const SweptPass<kWidth<T>>* hand_on(Real* const memory,
@@ -136,7 +125,7 @@ ADAGEN_INLINE const SweptPass<kWidth<T>>* hand_on(Real* const memory,
     const T counts = load<T>(pass->counts.data());
     BitsOf<T> from;
     std::memcpy(&from, pass->from.data(), sizeof from);
-    ADAGEN_FOR (k, 0, gathered) sum[k] += counts * from_lanes(out[k], from);
+    ADAGEN_FOR (k, 0, gathered) sum[k] += counts * moved(out[k], from);
   }
   ADAGEN_FOR (k, 0, gathered) put(sum[k], near + k * kWidth<T>);
   return pass;

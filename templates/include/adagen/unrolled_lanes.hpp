@@ -15,8 +15,8 @@ ADAGEN_INLINE bool all(const LaneBits& good, const LaneBits& also) { return all(
 // Zero for finite numbers only: x - x is, in all bits.
 inline Lanes unlike_zero(const Lanes* x, int count) {
   LaneBits found{};
-  for (int k = 0; k < count; ++k) found |= reinterpret_cast<LaneBits>(x[k] - x[k]);
-  return reinterpret_cast<Lanes>(found);
+  for (int k = 0; k < count; ++k) found |= same_bits<LaneBits>(x[k] - x[k]);
+  return same_bits<Lanes>(found);
 }
 
 template <int count>

@@ -3,18 +3,11 @@
 
 #include <cstddef>
 
+#include "registers.hpp"
 #include "sizes.hpp"
 
 namespace {
 
-// Bytes of the machine's widest registers.
-#if defined(__AVX512F__)
-constexpr std::size_t kRegisterBytes = 64;
-#elif defined(__AVX__)
-constexpr std::size_t kRegisterBytes = 32;
-#else
-constexpr std::size_t kRegisterBytes = 16;
-#endif
 #if defined(ADAGEN_BATCH) && !defined(ADAGEN_STATE_BY_STATE)
 constexpr std::size_t kLaneBytes = kRegisterBytes;  // one state in each lane
 #else
@@ -23,7 +16,7 @@ constexpr std::size_t kLaneBytes = 64;  // as the plan has it; narrower machines
 
 // Numbers side by side.
 [[maybe_unused]] constexpr int kLanes = static_cast<int>(kLaneBytes / sizeof(Real));
-typedef Real Lanes __attribute__((vector_size(kLaneBytes)));
+using Lanes = SideBySide<Real, kLanes>::T;
 
 #if defined(ADAGEN_BATCH) && !defined(ADAGEN_STATE_BY_STATE)
 using Value = Lanes;  // what is computed with

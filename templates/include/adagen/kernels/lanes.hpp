@@ -20,22 +20,8 @@ template <class T>
 using BitsOf = decltype(T{} < T{});
 typedef BitsOf<Lanes> LaneBits;
 
-// Where registers are narrower, compilers warn that vectors are passed in other ways. Programs that
-// are linked with this one pass none.
-#if defined(__clang__)
-#if __has_warning("-Wpsabi")
-#pragma clang diagnostic ignored "-Wpsabi"
-#endif
-#elif defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wpsabi"
-#endif
-
-#define ADAGEN_ALWAYS __attribute__((always_inline))
-#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
-#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
-
-ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
-ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { x = from_memory<Lanes>(from); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { to_memory(x, to); }
 
 // Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
 typedef std::int64_t FourWords __attribute__((vector_size(32)));
@@ -55,6 +41,11 @@ ADAGEN_INLINE bool any_of(const T& x) {
   }
 }
 
+template <class T>
+ADAGEN_INLINE bool any_of(const Halves<T>& x) {
+  return any_of(x.low | x.high);
+}
+
 // Whether all numbers are positive: false for NaN.
 ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
 template <class T>
@@ -64,9 +55,7 @@ ADAGEN_INLINE bool all_positive(const T& x) {
 
 // One number or the other, lane by lane.
 ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
-  const LaneBits bits =
-      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
-  return reinterpret_cast<Lanes>(bits);
+  return same_bits<Lanes>((same_bits<LaneBits>(x) & first) | (same_bits<LaneBits>(y) & ~first));
 }
 
 ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
@@ -92,7 +81,7 @@ ADAGEN_INLINE void near_sine_and_cosine(const T& angle, T& sine, T& cosine) {
   using Table = Trigonometry<Real>;
   using Whole = BitsOf<T>;
   const T shifted = angle * Table::kTwoOverPi + Table::kRound;
-  const Whole quadrant = reinterpret_cast<Whole>(shifted);
+  const Whole quadrant = same_bits<Whole>(shifted);
   const T turns = shifted - Table::kRound;
   const T rest =
       ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
@@ -100,14 +89,14 @@ ADAGEN_INLINE void near_sine_and_cosine(const T& angle, T& sine, T& cosine) {
   const T s = rest + rest * square * polynomial(Table::kSine, square);
   const T c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
   const Whole swapped = -(quadrant & 1);
-  const Whole s_bits = reinterpret_cast<Whole>(s);
-  const Whole c_bits = reinterpret_cast<Whole>(c);
+  const Whole s_bits = same_bits<Whole>(s);
+  const Whole c_bits = same_bits<Whole>(c);
   constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
   const Whole sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
   const Whole cosine_bits =
       ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
-  sine = reinterpret_cast<T>(sine_bits);
-  cosine = reinterpret_cast<T>(cosine_bits);
+  sine = same_bits<T>(sine_bits);
+  cosine = same_bits<T>(cosine_bits);
 }
 
 template <class T>

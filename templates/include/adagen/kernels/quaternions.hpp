@@ -54,7 +54,7 @@ template <std::size_t... lane>
 ADAGEN_INLINE void take_quaternions(const Workspace& w, const QuaternionPlaces& places,
                                     Lanes (&to)[4], std::index_sequence<lane...>) {
   if constexpr (kPerBlock == 1) {
-    ADAGEN_FOR (k, 0, 4) std::memcpy(&to[k], w.q + places.q[0] + k, sizeof to[k]);
+    ADAGEN_FOR (k, 0, 4) to[k] = from_memory<Lanes>(w.q + places.q[0] + k);
   } else {
     const Four each[]{number_at<Four>(w.q + places.q[lane])...};
     ADAGEN_FOR (k, 0, 4) to[k] = Lanes{each[lane][k]...};
@@ -65,7 +65,7 @@ ADAGEN_INLINE void take_quaternions(const Workspace& w, const QuaternionPlaces& 
 template <int p>
 ADAGEN_COLD void refuse_quaternion(Workspace& w, int b, const Lanes& squared) {
   Value each[kPerBlock];
-  std::memcpy(each, &squared, sizeof squared);
+  to_memory(squared, each);
   for (int j = 0; j < kJointCount; ++j)
     if (slot_of(j) / kPerBlock == b && kRoles[p][static_cast<std::size_t>(j + 1)].oriented)
       require_length(w, each[slot_of(j) % kPerBlock], j);
