@@ -20,7 +20,7 @@ namespace {
 
 // Constants of each of the joints.
 template <class T>
-ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::*member) {
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
   const int place = constants_at(joints.slot / kPerBlock);
   const auto& block = kBlockConstants[static_cast<std::size_t>(place)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);

@@ -103,7 +103,7 @@ struct alignas(64) Block {
 // Three numbers of each of the joints, that follow each other in x.
 template <class T>
 ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
-                                    int JointConstants::*place) {
+                                    int JointConstants::* place) {
   const auto number = [&](int k) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
   };
@@ -135,7 +135,7 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 
 // Whether a joint's axis lies beside what it is treated with, and not with those of its block.
 template <class T>
-constexpr bool kWithAxis = kByColumns&& kWidth<T> == 1;
+constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
 // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
 constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
 

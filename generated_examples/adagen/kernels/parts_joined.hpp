@@ -290,9 +290,8 @@ constexpr bool any_rotor(std::index_sequence<lane...>) {
   return ((kJoints[Run::joint(static_cast<int>(lane), 0)].passive.rotor != 0) || ...);
 }
 template <class Run>
-[[maybe_unused]] constexpr int kJoinRows = any_rotor<Run>(std::make_index_sequence<kPerBlock>{})
-                                               ? 6
-                                               : 5;
+[[maybe_unused]] constexpr int kJoinRows =
+    any_rotor<Run>(std::make_index_sequence<kPerBlock>{}) ? 6 : 5;
 
 // Where what the joined chain shows is put: Phi and b of its first and its last link, and across;
 // nothing at ends to which nothing is joined.

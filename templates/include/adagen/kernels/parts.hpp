@@ -146,7 +146,7 @@ struct SweptParts {
   // become along one direction.
   ADAGEN_INLINE void column(int k, Lanes (&found)[6]) const {
     using V = Vector<Lanes>;
-    constexpr Lanes V::*components[]{&V::x, &V::y, &V::z};
+    constexpr Lanes V::* components[]{&V::x, &V::y, &V::z};
     ADAGEN_FOR (i, 0, 6) {
       const ThreeWrenches& own = i < 3 ? moments : forces;
       found[i] = (k < 3 ? own.n : own.f)[i % 3].*components[k % 3];
