@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Sequence
-from functools import lru_cache
 
 from adagen.executor.lane_frames import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
@@ -12,7 +11,14 @@ from adagen.executor.stretches import Stretch, stretches
 from adagen.plan import Plan
 from adagen.plan.arms import arms_of, without_unlike
 from adagen.plan.closure_steps import closures_in
-from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
+from adagen.plan.simd_groups import (
+    COUNTS,
+    OFFERED,
+    Limbs,
+    more_alike,
+    nearly_fewest,
+    simd_groupings,
+)
 from adagen.plan.similar_closures import limbs_of, similar_closures
 from adagen.plan.types import Process
 from adagen.schedule import step_costs
@@ -26,13 +32,27 @@ def grouping_of(plan: Plan, counts: Iterable[int] = COUNTS) -> Grouping:
         plan: the plan.
         counts: how many may go together.
     """
+    (found,) = _groupings_of(plan, [tuple(counts)])
+    return found
+
+
+def _groupings_of(plan: Plan, offered: Sequence[Sequence[int]]) -> list[Grouping]:
+    """The same for each of some counts."""
     if plan.form != "segment":
-        return tuple(() for _ in plan.processes)
-    return tuple(_alike(plan, p, tuple(counts)) for p in plan.processes)
+        return [tuple(() for _ in plan.processes)] * len(offered)
+    found: list[list[tuple[Limbs, ...]]] = [[] for _ in offered]
+    for process in plan.processes:
+        every = simd_groupings(plan, process, spared, offered)
+        for own, limbs, counts in zip(found, every, offered, strict=True):
+            own.append(_alike(plan, process, limbs, counts))
+    return [tuple(own) for own in found]
 
 
-def _alike(plan: Plan, process: Process, counts: Sequence[int]) -> tuple[Limbs, ...]:
-    found = simd_groups(plan, process, spared, counts)
+def _alike(
+    plan: Plan, process: Process, found: list[Limbs], counts: Sequence[int]
+) -> tuple[Limbs, ...]:
+    if not found and not plan.closed:
+        return ()
     found = more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
     limbs = fit_for_lanes(plan, process, found)
     groups = similar_closures(plan, process.steps, counts)
@@ -67,23 +87,8 @@ def spared(kinds: Sequence[str], count: int) -> float:
     return len(kinds) * (count - 1)
 
 
-Counting = Callable[[Plan, Grouping, float], Sequence[Sequence[Stretch]]]
-"""Returns the stretches of each process of a plan in a grouping; as ``stretches_of`` takes it."""
-
-
-@lru_cache(maxsize=16)  # groupings are compared, and the plan is priced in the best of them
-def stretches_of(plan: Plan, grouping: Grouping, held: float) -> tuple[tuple[Stretch, ...], ...]:
-    """Return the stretches of each process of a plan, each with a straight line of its own.
-
-    Args:
-        plan: the plan.
-        grouping: which limbs share code, one in each lane.
-        held: statements whose decoded instructions are held.
-
-    Raises:
-        PlanError: the plan deadlocks, or a step reads what its process does not have.
-    """
-    return stretches_in(each_for_itself(plan, grouping), plan, held)
+Simulating = Callable[[Plan, Grouping], Sequence[Simulated]]
+"""Returns a plan's processes after all their steps, in a grouping."""
 
 
 def stretches_in(
@@ -99,14 +104,14 @@ def stretches_in(
 def offered_groupings(plan: Plan) -> list[Grouping]:
     """Return possible groupings for straight lines; no grouping comes first."""
     none: Grouping = tuple(() for _ in plan.processes)
-    return list(dict.fromkeys([none, *(grouping_of(plan, counts) for counts in OFFERED)]))
+    return list(dict.fromkeys([none, *_groupings_of(plan, OFFERED)]))
 
 
 def least_of(
     plan: Plan,
     offers: Sequence[Grouping],
     costs: StepCosts | None = None,
-    counting: Counting = stretches_of,
+    simulating: Simulating = each_for_itself,
 ) -> Grouping:
     """Return the grouping of least price for each process.
 
@@ -114,7 +119,7 @@ def least_of(
         plan: the plan.
         offers: groupings, none first.
         costs: prices statements; the shipped ones if not given.
-        counting: counts what each process does.
+        simulating: makes the straight lines that are compared.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
@@ -129,10 +134,8 @@ def least_of(
     prices = step_costs(None) if costs is None else costs
     offers = [tuple(own[min(k, len(own) - 1)] for own in options) for k in range(most)]
     held = prices["unrolled.held"]
-    times = [
-        [sum(part.time(prices) for part in own) for own in counting(plan, offer, held)]
-        for offer in offers
-    ]
+    lines = (stretches_in(simulating(plan, offer), plan, held) for offer in offers)
+    times = [[sum(part.time(prices) for part in own) for own in line] for line in lines]
     return tuple(
         offers[min(range(most), key=lambda k: times[k][p])][p] for p in range(len(options))
     )

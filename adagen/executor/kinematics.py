@@ -60,6 +60,7 @@ class Motion:
     def __init__(self, state: State) -> None:
         self.state = state
         self.rod_halves: tuple[CarriedHalf, ...] = ()
+        self._inertias: dict[int, Array] = {}  # of links alone: each is asked for twice
 
     def _kind(self, j: int) -> JointKind:
         """A joint's kind, and whether its motion is prescribed."""
@@ -222,6 +223,9 @@ class Motion:
 
     def _own_inertia(self, number: int) -> Array:
         """Spatial inertia of a link alone."""
+        known = self._inertias.get(number)
+        if known is not None:
+            return known.copy()
         c, mass = self.state.rows.com(number), self.state.rows.mass(number)
         zero = self.state.graph.constant(0)
         m = c * mass
@@ -234,7 +238,8 @@ class Motion:
             for k in range(3):
                 outer = dot(m, c) - m[i] * c[i] if i == k else -(m[i] * c[k])
                 inertia[i, k] = about_com[i, k] + outer
-        return inertia
+        self._inertias[number] = inertia
+        return inertia.copy()
 
     def link_force(self, number: int) -> Array:
         """Wrench that the reference field needs of the link alone: [moment; force], shape (6,).

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from adagen.executor.grouping import least_of, offered_groupings, stretches_in, stretches_of
+from functools import lru_cache
+
+from adagen.executor.grouping import least_of, offered_groupings, stretches_in
 from adagen.executor.lanes import Grouping
 from adagen.executor.reproducible import own_limbs, shared_line
 from adagen.executor.run import Simulated, each_for_itself
@@ -62,9 +64,10 @@ def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    return least_of(plan, groupings(plan), costs, counted_stretches)
+    return least_of(plan, groupings(plan), costs, simulate)
 
 
+@lru_cache(maxsize=16)  # a plan is priced several times
 def counted_stretches(
     plan: Plan, grouping: Grouping, held: float
 ) -> tuple[tuple[Stretch, ...], ...]:
@@ -78,6 +81,4 @@ def counted_stretches(
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    if not plan.reproducible:
-        return stretches_of(plan, grouping, held)
     return stretches_in(simulate(plan, grouping), plan, held)
