@@ -29,6 +29,8 @@ CASES = {
     "floats": ("arm7", "--procs 1 --scalar float --shape kernels"),
     "refined": ("arm7", "--procs 1 --refine 1 --shape kernels"),
     "balls": ("human40", "--procs 1 --shape kernels"),
+    "batch": ("humanoid", "--procs 1 --batch --floating"),
+    "batch of floats in loops": ("arm7", "--procs 1 --batch --scalar float --shape kernels"),
 }
 MAGNIFIED = 20
 """How much more than in ordinary robots rounding becomes in a chain of a hundred joints."""
