@@ -37,11 +37,13 @@ struct Group {
 
 // Groups that go through each part before the next one, so that its instructions are fetched once
 // for all: as many as fill a quarter of the second-level cache, or many where not even the code
-// fits. One where all instructions fit the first-level cache, as those of four functions and the
-// two around them do: what a group holds then stays in that of data.
+// fits. One in registers of 512 bits where all instructions fit the first-level cache, as those of
+// four functions and the two around them do: what a group holds then stays in that of data. In
+// narrower registers a group holds less, and is fewer states to fetch instructions for: one only
+// where a single function, a loop, does it all.
 constexpr int kGroups = [] {
-  constexpr std::size_t kHalf = Settings::kCache / 2, kCodeOfPart = 8 << 10, kMost = 8, kFew = 6;
-  constexpr std::size_t kCode = kParts.size() * kCodeOfPart;
+  constexpr std::size_t kHalf = Settings::kCache / 2, kCodeOfPart = 8 << 10, kMost = 8;
+  constexpr std::size_t kCode = kParts.size() * kCodeOfPart, kFew = kLaneBytes == 64 ? 6 : 1;
   if (kParts.size() <= kFew) return 1;
   if (kCode + sizeof(Group) > kHalf) return static_cast<int>(kMost);
   return static_cast<int>(std::clamp<std::size_t>(kHalf / 2 / sizeof(Group), 1, kMost));
