@@ -223,3 +223,14 @@ class Stages:
             if words
             else "stages: none"
         )
+
+
+@contextmanager
+def timed(*, told: bool) -> Iterator[Stages]:
+    """Give stages to be timed, which are told at the end if wanted, also when one fails."""
+    stages = Stages()
+    try:
+        yield stages
+    finally:
+        if told:
+            long_note(str(stages))

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, long_note, note, warned, wrote
+from adagen.cli.console import note, timed, warned, wrote
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 
@@ -128,16 +128,12 @@ def run(argv: Sequence[str]) -> int:
     from adagen.cli import pipeline
     from adagen.cli.predicted import prediction
 
-    stages = Stages()
-    try:
+    with timed(told=options.verbose) as stages:
         model = pipeline.read_model(options, stages, options.gravity)
         made = pipeline.generate(model, options, stages)
         line = _BATCH if options.batch else prediction(made.schedule, made.timeline)
         with stages.stage("write"):
             written = made.write(options.out)
-    finally:
-        if options.verbose:
-            long_note(str(stages))
     if options.json:
         print(json.dumps(_report(made, written), indent=1))
     else:

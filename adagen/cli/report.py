@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, long_note, progress, speaking, warn, warned, wrote
+from adagen.cli.console import progress, speaking, timed, warn, warned, wrote
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.errors import EnvironmentFault, InputError, printable
@@ -65,8 +65,7 @@ def run(argv: Sequence[str]) -> int:
     from adagen.cli import pipeline
     from adagen.report import document, page
 
-    stages = Stages()
-    try:
+    with timed(told=options.verbose) as stages:
         model, reading = pipeline.read_whole(options, stages, options.gravity)
         chart = None if options.record is None else _chart(options.record, model, options.scene)
         made = pipeline.generate(model, options, stages)
@@ -86,9 +85,6 @@ def run(argv: Sequence[str]) -> int:
         name = f"{made.stem}_report.html"
         with stages.stage("write"):
             write_files(options.out, {name: page(data)})
-    finally:
-        if options.verbose:
-            long_note(str(stages))
     wrote([options.out / name])
     return 0 if measured is None or measured.right else 1
 

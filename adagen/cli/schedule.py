@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import Stages, long_note
+from adagen.cli.console import timed
 from adagen.cli.hosts import show_hosts
 from adagen.cli.options import AUTO, add_model, add_schedule, check_search
 from adagen.cli.parser import Parser, make_parser, parse
@@ -79,8 +79,7 @@ def run(argv: Sequence[str]) -> int:
     from adagen.program import program_to_json
     from adagen.schedule import Topology
 
-    stages = Stages()
-    try:
+    with timed(told=options.verbose) as stages:
         model = pipeline.read_model(options, stages, None)
         if options.hosts is not None:
             if model.closed:
@@ -94,9 +93,6 @@ def run(argv: Sequence[str]) -> int:
         if options.svg is not None:
             with stages.stage("draw"):
                 write_file(options.svg, _drawing(model, found, options))
-    finally:
-        if options.verbose:
-            long_note(str(stages))
     if options.json:
         document = schedule_document(
             found.schedule, Topology.of(model), found.program, found.timeline

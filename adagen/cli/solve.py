@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, long_note, note, progress, say, warn
+from adagen.cli.console import Stages, note, progress, say, timed, warn
 from adagen.cli.options import add_emission, add_model, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse, seconds
 from adagen.errors import EnvironmentFault
@@ -60,12 +60,8 @@ def run(argv: Sequence[str]) -> int:
     options = parse(parser, argv)
     check_emission(parser, options)
     options.name = None
-    stages = Stages()
-    try:
+    with timed(told=options.verbose) as stages:
         return _solve(options, stages)
-    finally:
-        if options.verbose:
-            long_note(str(stages))
 
 
 CHECKED = 4096

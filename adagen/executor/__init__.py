@@ -7,7 +7,6 @@ operation counts are all taken from the graphs.
 from __future__ import annotations
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.grouping import grouping_of
 from adagen.executor.lanes import Grouping
 from adagen.executor.machine import RECEIVED, Machine
 from adagen.executor.run import PlanError, Simulated
@@ -37,7 +36,6 @@ __all__ = [
     "at_once",
     "chosen_grouping",
     "counted_stretches",
-    "grouping_of",
     "groupings",
     "interpret",
     "simulate",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Sequence
+from collections.abc import Callable, Container, Sequence
 
 from adagen.executor.lane_frames import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
@@ -12,7 +12,6 @@ from adagen.plan import Plan
 from adagen.plan.arms import arms_of, without_unlike
 from adagen.plan.closure_steps import closures_in
 from adagen.plan.simd_groups import (
-    COUNTS,
     OFFERED,
     Limbs,
     more_alike,
@@ -25,25 +24,14 @@ from adagen.schedule import step_costs
 from adagen.schedule.costs import StepCosts
 
 
-def grouping_of(plan: Plan, counts: Iterable[int] = COUNTS) -> Grouping:
-    """Return limbs that can share lanes: as many as possible, the most similar ones.
-
-    Args:
-        plan: the plan.
-        counts: how many may go together.
-    """
-    (found,) = _groupings_of(plan, [tuple(counts)])
-    return found
-
-
-def _groupings_of(plan: Plan, offered: Sequence[Sequence[int]]) -> list[Grouping]:
-    """The same for each of some counts."""
+def groupings_of(plan: Plan) -> list[Grouping]:
+    """Return limbs that can share lanes, for each of ``OFFERED``: as many and similar as can be."""
     if plan.form != "segment":
-        return [tuple(() for _ in plan.processes)] * len(offered)
-    found: list[list[tuple[Limbs, ...]]] = [[] for _ in offered]
+        return [tuple(() for _ in plan.processes)]
+    found: list[list[tuple[Limbs, ...]]] = [[] for _ in OFFERED]
     for process in plan.processes:
-        every = simd_groupings(plan, process, spared, offered)
-        for own, limbs, counts in zip(found, every, offered, strict=True):
+        every = simd_groupings(plan, process, spared)
+        for own, limbs, counts in zip(found, every, OFFERED, strict=True):
             own.append(_alike(plan, process, limbs, counts))
     return [tuple(own) for own in found]
 
@@ -104,7 +92,7 @@ def stretches_in(
 def offered_groupings(plan: Plan) -> list[Grouping]:
     """Return possible groupings for straight lines; no grouping comes first."""
     none: Grouping = tuple(() for _ in plan.processes)
-    return list(dict.fromkeys([none, *_groupings_of(plan, OFFERED)]))
+    return list(dict.fromkeys([none, *groupings_of(plan)]))
 
 
 def least_of(

@@ -12,7 +12,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from adagen.executor import Grouping, grouping_of, interpret, simulate, straight_line
+from adagen.executor import Grouping, interpret, simulate, straight_line
+from adagen.executor.grouping import groupings_of
 from adagen.executor.lane_frames import aligned, unlike
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Model
 from adagen.plan import Plan, make_plan
@@ -74,7 +75,7 @@ def test_each_process_has_limbs_of_its_own(count: int, processes: int, seed: int
     rng = np.random.default_rng(seed)
     model = alike(rng, 2 * count, [REVOLUTE] * 2, floating=False).model
     plan = make_plan(model, random_schedule(model, processes, rng), form="segment")
-    grouping = grouping_of(plan)
+    grouping = groupings_of(plan)[0]
     assume(any(grouping))
     assert_lanes_agree(model, plan, grouping, seed)
 
@@ -83,7 +84,7 @@ def test_prescribed_motions_go_together_with_their_like() -> None:
     rng = np.random.default_rng(7)
     model = with_effects(alike(rng, 4, [REVOLUTE] * 2).model, rng, "p")
     plan = plan_of(model, 1)
-    for limbs in grouping_of(plan)[0]:
+    for limbs in groupings_of(plan)[0][0]:
         for row in limbs.rows:
             assert len({plan.joints[j].prescribed for j in row}) == 1
 
@@ -100,7 +101,7 @@ class TestStructure:
         """Mirrored limbs whose frames were chosen otherwise have the same constants' places."""
         model = alike(np.random.default_rng(3), 4, [REVOLUTE] * 3, oblique=False).model
         plan = plan_of(model, 1)
-        limbs = grouping_of(plan)[0][0]
+        limbs = groupings_of(plan)[0][0][0]
         assert unlike(aligned(plan, [limbs]), limbs) <= unlike(plan, limbs)
         state = random_states(model, 1)
         row = state.q[0], state.v[0], state.tau[0]
@@ -109,7 +110,7 @@ class TestStructure:
 
     def test_what_is_no_work_saved_is_not_done(self) -> None:
         plan = plan_of(serial_chain(5), 1)
-        assert not any(grouping_of(plan))
+        assert not any(groupings_of(plan)[0])
         assert straight_line(plan) is simulate(plan)
 
     def test_lanes_can_be_turned_off(self) -> None:
@@ -121,7 +122,7 @@ class TestStructure:
 
     def test_limbs_may_be_chosen(self) -> None:
         plan = plan_of(star(4, 2), 1)
-        (whole,) = grouping_of(plan)[0]
+        (whole,) = groupings_of(plan)[0][0]
         pair = Limbs(tuple(row[:2] for row in whole.rows))
         (found,) = simulate(plan, ((pair,),))
         assert found.machine.rows.rows.keys() == {row[0] for row in pair.rows}

@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.executor import Grouping, chosen_grouping, grouping_of, interpret, simulate
+from adagen.executor import Grouping, chosen_grouping, interpret, simulate
+from adagen.executor.grouping import groupings_of
 from adagen.graph import DOUBLE, FLOAT
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, LoopEnd, Model, NamedLoop
 from adagen.plan import Plan
@@ -86,7 +87,7 @@ def test_alike_arms_share_lanes(name: str) -> None:
     make, expected = CASES[name]
     model = make()
     plan, states = plan_of(model), states_of(model, 2)
-    grouping = grouping_of(plan)
+    grouping = groupings_of(plan)[0]
     assert arms_of(plan, grouping) == expected
     (apart,), (together,) = simulate(plan), simulate(plan, grouping)
     assert together.operations.arithmetic < 0.8 * apart.operations.arithmetic
@@ -97,7 +98,7 @@ def test_alike_arms_share_lanes(name: str) -> None:
 def test_an_open_loop_of_an_arm_is_refused_by_its_name() -> None:
     model = plate(3, balls=False)
     plan, states = plan_of(model), states_of(model, 1)
-    grouping = grouping_of(plan)
+    grouping = groupings_of(plan)[0]
     q, v, tau = states.q[0], states.v[0], states.tau[0]
     names = [joint.name for joint in model.joints]
     for n in range(3):

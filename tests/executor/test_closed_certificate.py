@@ -11,10 +11,10 @@ import pytest
 from numpy.typing import NDArray
 
 from adagen.errors import UsageError
-from adagen.executor import grouping_of, simulate
+from adagen.executor import simulate
 from adagen.executor.elimination import Elimination
 from adagen.executor.front import Freed
-from adagen.executor.grouping import offered_groupings
+from adagen.executor.grouping import groupings_of, offered_groupings
 from adagen.executor.lanes import Grouping
 from adagen.executor.refine import WideLinks
 from adagen.executor.run import lines_of
@@ -153,7 +153,7 @@ def test_arms_in_lanes_have_the_same_bounds(name: str) -> None:
     make, _ = ARMS[name]
     model = make()
     for plan in certified(plan_of(model)).alternatives[:1]:
-        (apart,), grouping = simulate(plan), grouping_of(plan)
+        (apart,), grouping = simulate(plan), groupings_of(plan)[0]
         (together,) = simulate(plan, grouping)
         assert arms_of(plan, grouping)
         assert together.operations.arithmetic < 0.8 * apart.operations.arithmetic

@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.executor import grouping_of, interpret, straight_line
+from adagen.executor import interpret, straight_line
+from adagen.executor.grouping import groupings_of
 from adagen.graph import DOUBLE, FLOAT
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, JointKind, Mimic, Model, Passive
 from adagen.plan import Plan
@@ -183,7 +184,7 @@ def test_a_failure_names_the_joint_of_its_lane() -> None:
     """A limb without mass fails in the last lane's name."""
     model = limbs(4, REVOLUTE, beside=0)
     plan = plan_of(model, 1)
-    (each,) = grouping_of(plan)
+    (each,) = groupings_of(plan)[0]
     last = each[0].rows[0][-1]
     links = list(plan.links)
     nothing = ((0.0,) * 3,) * 3
