@@ -28,8 +28,14 @@ from adagen.calibrate.fit import (
     relative_errors,
 )
 from adagen.calibrate.measure import Built, Measurement, combined
-from adagen.calibrate.samples import Wanted, stepwise_programs, straight_programs
-from adagen.calibrate.straight import fit_straight, timed_stretches
+from adagen.calibrate.samples import (
+    ORDERS,
+    Wanted,
+    in_order,
+    stepwise_programs,
+    straight_programs,
+)
+from adagen.calibrate.straight import faster_order, fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11
 from adagen.cost import timeline
 from adagen.cost.features import operation_features
@@ -77,7 +83,8 @@ class _Measured:
     Attributes:
         labels: of the samples, in order.
         stepwise: of programs that go step by step.
-        straight: of straight lines of statements.
+        straight: of straight lines of statements, in the faster order.
+        ahead: which is that: one of ``ORDERS``.
         channels: times of messages; None with one core.
         speeds: of the cores; () if they are alike.
     """
@@ -85,6 +92,7 @@ class _Measured:
     labels: list[str]
     stepwise: list[Sample]
     straight: list[Sample]
+    ahead: float
     channels: Channels | None
     speeds: tuple[float, ...]
 
@@ -154,7 +162,10 @@ def _measure(
     profile: CostProfile, toolchain: Toolchain, quick: bool, progress: Progress | None
 ) -> _Measured:
     """Build all programs and time them in turn, several times over."""
-    chosen, straight = stepwise_programs(profile, quick), straight_programs(profile)
+    chosen, cache = stepwise_programs(profile, quick), _caches()["unrolled.cache"]
+    straight = [
+        each for ahead in ORDERS for each in straight_programs(in_order(profile, ahead, cache))
+    ]
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
     if cores < 2:
         chosen, straight = (
@@ -179,13 +190,21 @@ def _measure(
     samples = [
         Sample(each.lowered, combined(times)) for each, times in zip(wanted, found, strict=True)
     ]
+    ahead, lines = faster_order(samples[len(chosen) :])
     return _Measured(
-        [each.label for each in wanted],
+        [each.label for each in wanted[: len(chosen) + len(lines)]],
         samples[: len(chosen)],
-        samples[len(chosen) :],
+        lines,
+        ahead,
         least_times(messages) if messages else None,
         speeds,
     )
+
+
+def _caches() -> dict[str, float]:
+    """The coefficients that are sizes of this machine's caches."""
+    told = {"unrolled.cache": instruction_cache(), "process.cache": second_cache()}
+    return {name: float(size or ASSUMED[name]) for name, size in told.items()}
 
 
 class _Steps:
@@ -220,9 +239,8 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     """Return the costs, but for those of slaved joints."""
     table = fit_steps(free)
     table["process.evaluation"] = evaluation_cost(free)
-    table |= fit_straight(timed_stretches(found.straight))
-    table["unrolled.cache"] = float(instruction_cache() or ASSUMED["unrolled.cache"])
-    table["process.cache"] = float(second_cache() or ASSUMED["process.cache"])
+    table |= fit_straight(timed_stretches(found.straight)) | _caches()
+    table["unrolled.ahead"] = found.ahead
     if found.channels is not None:
         window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)
     else:

@@ -29,7 +29,7 @@ from adagen.plan.simd_groups import COUNTS, simd_groups
 from adagen.program import Program, lower
 from adagen.program.strips import LANES
 from adagen.schedule import CostProfile, Topology, step_costs
-from adagen.schedule.costs import LIMIT
+from adagen.schedule.costs import ASSUMED, LIMIT
 
 HALVES = ["revolute"] * 10 + ["spherical"] * 10
 OTHERS = ["prismatic"] * 8 + ["planar"] * 8
@@ -131,6 +131,10 @@ themselves: runs are swept inwards number by number."""
 
 TOGETHER = (("crab", "gathered"), ("figure", "gathered"), ("line", "gathered"))
 """Robots and schedules of straight lines on two processes, which tell what it takes to meet."""
+
+ORDERS = (ASSUMED["unrolled.ahead"], 0.0)
+"""How many values are looked at for those that others wait for: straight lines are timed with each
+of these, since the faster order depends on how many registers hold what is alive."""
 
 
 @dataclass(frozen=True)
@@ -262,8 +266,21 @@ def _robots() -> Iterator[Model]:
     yield prescribed(robot("driven", chain(20), ROWS, 16))
 
 
+def in_order(profile: CostProfile, ahead: float, cache: float) -> CostProfile:
+    """Return a profile by which straight lines are in another order.
+
+    Args:
+        profile: the rest of it.
+        ahead: how many values are looked at for those that others wait for.
+        cache: bytes of the first instruction cache.
+    """
+    costs = step_costs(profile)
+    table = {**costs.table, "unrolled.ahead": ahead, "unrolled.cache": cache}
+    return replace(profile, steps=replace(costs, table=table))
+
+
 def straight_programs(profile: CostProfile) -> list[Wanted]:
-    """Return the programs that are straight lines of statements.
+    """Return the programs that are straight lines of statements, in the order of a profile.
 
     Their operations for each degree of freedom differ, and so does what waits for what; some are so
     long that their instructions are fetched anew in each evaluation, and some have limbs in lanes;

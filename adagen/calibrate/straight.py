@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import log
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.calibrate.fit import SHORT, Sample, huber
 from adagen.calibrate.nnls import nnls
+from adagen.calibrate.samples import ORDERS
 from adagen.cost.straight import straight_stretches
 from adagen.executor.stretches import SINES, WAITS, at_once
 from adagen.schedule.costs import LIMIT
@@ -52,6 +54,19 @@ class Timed:
             "unrolled.evicted": evicted,
         }
         return [found.get(name, 0.0) for name in _NAMES]
+
+
+def faster_order(samples: Sequence[Sample]) -> tuple[float, list[Sample]]:
+    """Return which of ``ORDERS`` is the faster one, and the samples in it.
+
+    Args:
+        samples: the same programs in each order, one order after the other.
+    """
+    count = len(samples) // len(ORDERS)
+    offered = [samples[k * count : (k + 1) * count] for k in range(len(ORDERS))]
+    spent = [sum(log(each.measured.time) for each in own) for own in offered]
+    fastest = spent.index(min(spent))
+    return ORDERS[fastest], list(offered[fastest])
 
 
 def timed_stretches(samples: Sequence[Sample]) -> list[Timed]:

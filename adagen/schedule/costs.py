@@ -75,14 +75,15 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "process": ("evaluation", "margin", "cache"),
     "unrolled": (
         *("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
-        *("evicted", "fits", "cache"),
+        *("evicted", "fits", "cache", "ahead"),
     ),
 }
-"""Groups with coefficients of their own, times but for six.
+"""Groups with coefficients of their own, times but for seven.
 
 ``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` and ``unrolled.fits`` are
 numbers of statements, ``unrolled.cache`` is the size of a core's first instruction cache in bytes,
-``process.cache`` that of its second-level cache (adagen/schedule/caches.py).
+``process.cache`` that of its second-level cache (adagen/schedule/caches.py), ``unrolled.ahead`` is
+how many values are looked at for those that others wait for (adagen/emit/unrolled/order.py).
 
 ``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`);
 ``fetched`` is added for each statement beyond those whose decoded instructions are held, and
@@ -94,10 +95,11 @@ ASSUMED = {
     "unrolled.evicted": 0.0,
     "unrolled.fits": LIMIT,
     "unrolled.cache": 65536.0,
+    "unrolled.ahead": 2000.0,
     "process.cache": 2097152.0,
 }
 """What holds where a profile says nothing: it was measured without lines of such a length, and the
-machine's caches are not known."""
+machine's caches are not known, nor which order of values is the faster one."""
 LIKE = {REPEATED: "join"}
 """Groups that a profile may leave out, and the groups whose coefficients hold for them then."""
 

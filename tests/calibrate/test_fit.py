@@ -20,15 +20,22 @@ from adagen.calibrate.fit import (
 )
 from adagen.calibrate.measure import Measurement, StageTime
 from adagen.calibrate.nnls import nnls
-from adagen.calibrate.samples import Wanted, stepwise_programs, straight_programs
-from adagen.calibrate.straight import fit_straight, timed_stretches
+from adagen.calibrate.samples import (
+    ORDERS,
+    Wanted,
+    in_order,
+    stepwise_programs,
+    straight_programs,
+)
+from adagen.calibrate.straight import faster_order, fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text
 from adagen.cost import operation_features, timeline
 from adagen.cost.features import joins_of
+from adagen.emit import emit
 from adagen.program import Program
 from adagen.schedule import load_profile, parse_profile
-from adagen.schedule.costs import NAMES, OTHERS, ChannelCosts, StepCosts
+from adagen.schedule.costs import ASSUMED, NAMES, OTHERS, ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
 from tests.cost.costs import MESSAGE, WINDOW, step_costs
 
@@ -164,9 +171,37 @@ def test_costs_of_straight_lines_are_found_again() -> None:
     assert any(len(line.processes) > 1 for line in lines)
     rng = np.random.default_rng(7)
     found = fit_straight(timed_stretches([played(line, truth, 0.0, rng) for line in lines]))
-    fitted = {name for name in NAMES if name.startswith("unrolled.")} - {"unrolled.cache"}
-    assert set(found) == fitted  # the machine tells the size of its cache
+    fitted = {name for name in NAMES if name.startswith("unrolled.")}
+    # The machine tells the size of its cache, and the order is chosen before.
+    assert set(found) == fitted - {"unrolled.cache", "unrolled.ahead"}
     assert found == pytest.approx({name: truth[name] for name in found}, rel=1e-5)
+
+
+def test_the_faster_order_of_lines_is_found() -> None:
+    lines = straight_programs(load_profile("paper"))[:3]
+    offered = {
+        ahead: [Sample(each.lowered, _taking(factor * (k + 1.0))) for k, each in enumerate(lines)]
+        for ahead, factor in zip(ORDERS, (1.3, 1.0), strict=True)
+    }
+    offered[ORDERS[0]][0] = Sample(lines[0].lowered, _taking(0.9))  # not of every line
+    ahead, found = faster_order([sample for own in offered.values() for sample in own])
+    assert (ahead, found) == (0.0, offered[0.0])
+
+
+def _taking(time: float) -> Measurement:
+    return Measurement(time, time, (), "none", True)
+
+
+def test_both_orders_of_lines_are_emitted() -> None:
+    """By what waits, as shipped profiles have it, and by step."""
+    profile = load_profile("default")
+    waiting, by_step = (_emitted(in_order(profile, a, ASSUMED["unrolled.cache"])) for a in ORDERS)
+    assert waiting == _emitted(profile) != by_step
+
+
+def _emitted(profile: CostProfile) -> dict[str, str]:
+    line = straight_programs(profile)[2]
+    return emit(line.plan, shape=line.shape, profile=line.profile, limbs=line.limbs)
 
 
 def test_an_evaluation_is_found_again(programs: list[Program]) -> None:

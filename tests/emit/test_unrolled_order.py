@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import accumulate
 
 import numpy as np
@@ -11,7 +12,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.emit.unrolled.order import (
-    AHEAD,
     LIMIT,
     LIMIT_OF_BATCHES,
     LIMIT_OF_LONG,
@@ -32,7 +32,7 @@ from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
 
 COSTS = step_costs(None)
-CACHE = COSTS["unrolled.cache"]
+CACHE, AHEAD = COSTS["unrolled.cache"], int(COSTS["unrolled.ahead"])
 
 
 def most_alive(graph: Graph, order: Sequence[int]) -> int:
@@ -87,11 +87,11 @@ def test_of_a_single_state_what_most_waits_for_comes_first() -> None:
     values = {value.index for value in (*short, *power)}
     steps = by_step(graph, Process(steps=(Kinematics(0),), reads=(0,), owns=(0,)), values)
     assert steps == sorted(values)
-    order = by_waits(graph, steps, Pace(1.0, 2.0, CACHE))
+    order = by_waits(graph, steps, Pace(1.0, 2.0, CACHE, AHEAD))
     assert order[0] == power[0].index
     assert set(order[-3:]) == {value.index for value in power[-3:]}
     # Waiting that takes no time: the chain is not begun late all the same.
-    busy = by_waits(graph, steps, Pace(1.0, 0.0, CACHE))
+    busy = by_waits(graph, steps, Pace(1.0, 0.0, CACHE, AHEAD))
     assert busy[:40] == [value.index for value in power[:40]]
 
 
@@ -111,7 +111,7 @@ def test_nothing_far_ahead_is_begun_early() -> None:
     values = set(live_nodes(graph, [total])) - {x.index}
     values = {k for k in values if graph.nodes[k].op != "constant"}
     process = Process(steps=(Kinematics(0),), reads=(0,), owns=(0,))
-    order = by_waits(graph, by_step(graph, process, values), Pace(1.0, 1.0, CACHE))
+    order = by_waits(graph, by_step(graph, process, values), Pace(1.0, 1.0, CACHE, AHEAD))
     assert sorted(order) == sorted(values)
     late = max(turn - n for n, turn in enumerate(order_of(order, sorted(values))))
     assert late <= AHEAD + 100
@@ -124,7 +124,7 @@ def test_in_several_functions_waiting_has_to_count(cycle: float, waits: bool) ->
     graph, process = one.machine.graph, plan.processes[0]
     live = live_nodes(graph, one.machine.roots())
     values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
-    pace = Pace(2.0, cycle, CACHE)
+    pace = Pace(2.0, cycle, CACHE, AHEAD)
     steps = in_functions(graph, process, values, 1000, None)
     assert [k for cut in steps for k in cut] == by_step(graph, process, values)
     cuts = in_functions(graph, process, values, 1000, pace)
@@ -165,12 +165,25 @@ def test_functions_are_cut_where_the_fewest_values_are_alive() -> None:
     assert sum(alive[k] for k in range(longest, len(order), longest)) > best[-1]
 
 
+def test_a_profile_may_keep_the_order_of_steps() -> None:
+    plan = plan_of(serial_chain(6), 1)
+    one = simulate(plan)[0]
+    graph = one.machine.graph
+    live = live_nodes(graph, one.machine.roots())
+    values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
+    pace = Pace(1.0, 20.0, CACHE, 0)
+    (kept,) = in_functions(graph, plan.processes[0], values, len(values), pace)
+    assert kept == by_step(graph, plan.processes[0], values)
+    (other,) = in_functions(graph, plan.processes[0], values, len(values), replace(pace, ahead=9))
+    assert other != kept and sorted(other) == sorted(kept)
+
+
 def test_long_lines_have_short_functions() -> None:
-    pace = Pace(1.0, 1.0, CACHE)
+    pace = Pace(1.0, 1.0, CACHE, AHEAD)
     assert limit_of_functions(8000, pace) == LIMIT
     assert limit_of_functions(9000, pace) == LIMIT_OF_LONG < LIMIT
     assert limit_of_functions(4000, pace, short=True) == LIMIT_OF_LONG
-    half = Pace(1.0, 1.0, CACHE / 2)
+    half = Pace(1.0, 1.0, CACHE / 2, AHEAD)
     assert limit_of_functions(4000, half) == LIMIT
     assert limit_of_functions(4500, half) == LIMIT_OF_LONG
     assert limit_of_functions(9000, None) == LIMIT_OF_BATCHES

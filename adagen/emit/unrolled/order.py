@@ -5,7 +5,8 @@ registers and the first-level cache hold all live values; the reference field's 
 computed as soon as its motion is known. Functions are cut in this order. For a single state the
 values of a function are then ordered by the length of the chain that depends on them, so that no
 value on the longest chain is computed late. A processor looks some hundred statements ahead, so the
-values of one step may stay together within that distance.
+values of one step may stay together within that distance. More values are alive at once then: where
+16 registers hold them, the order of steps may be the faster one, and a profile says so.
 """
 
 from __future__ import annotations
@@ -24,8 +25,6 @@ from adagen.plan.types import Process
 from adagen.schedule.costs import StepCosts
 
 _TOGETHER = 100  # values among which those of one step stand together
-AHEAD = 2000
-"""Values that are looked at: with fewer, chains of few links wait; with more, too much is alive."""
 LIMIT, LIMIT_OF_BATCHES, LIMIT_OF_LONG = 4000, 2000, 1000
 """Values that one function computes, by default: of a single state; of batches, wide ones, which
 take the nearest cache longer to hold; and of a long line."""
@@ -48,17 +47,21 @@ class Pace:
         value: what one takes, on average, where none waits for another.
         cycle: a cycle of the longest chain of values that do.
         cache: size of its first instruction cache, bytes.
+        ahead: how many values by step are looked at for the most urgent one; 0 keeps the order of
+            steps.
     """
 
     value: float
     cycle: float
     cache: float
+    ahead: float
 
     @staticmethod
     def of(operations: Operations, values: int, costs: StepCosts) -> Pace:
         """Return the pace of a process with so many values."""
         work = costs.total(work_of(operations, costs["unrolled.held"]))
-        return Pace(work / max(1, values), costs["unrolled.cycle"], costs["unrolled.cache"])
+        told = (costs[f"unrolled.{name}"] for name in ("cycle", "cache", "ahead"))
+        return Pace(work / max(1, values), *told)
 
 
 def in_functions(
@@ -77,7 +80,9 @@ def in_functions(
     order = by_step(graph, process, values)
     # Functions are parted by step: what one computes long before it is used goes through memory.
     functions = _cut(graph, order, longest)
-    if pace is None or (len(functions) > 1 and not _waiting_counts(graph, values, pace)):
+    if pace is None or not pace.ahead:
+        return functions
+    if len(functions) > 1 and not _waiting_counts(graph, values, pace):
         return functions
     return [by_waits(graph, function, pace) for function in functions]
 
@@ -255,8 +260,8 @@ def _waits(graph: Graph, values: Set[int]) -> _Waits:
 def _played(waits: _Waits, by_step: Sequence[int], pace: Pace) -> list[int]:
     """The values in the order of a processor that always begins the most urgent one.
 
-    It looks no further ahead than ``AHEAD`` values by step: the more is begun early, the more is
-    alive, and goes through memory.
+    It looks no further ahead than the pace says: the more is begun early, the more is alive, and
+    goes through memory.
     """
     start: dict[int, float] = dict(waits.start)
     missing = {k: len(operands) for k, operands in waits.operands.items()}
@@ -271,7 +276,7 @@ def _played(waits: _Waits, by_step: Sequence[int], pace: Pace) -> list[int]:
     now = 0.0
 
     def free(k: int) -> None:
-        if turn[k] < first + AHEAD:
+        if turn[k] < first + pace.ahead:
             heapq.heappush(later, (start[k], k))
         else:
             heapq.heappush(beyond, (turn[k], k))
@@ -289,7 +294,7 @@ def _played(waits: _Waits, by_step: Sequence[int], pace: Pace) -> list[int]:
         begun.add(k)
         while first < len(by_step) and by_step[first] in begun:
             first += 1
-        while beyond and beyond[0][0] < first + AHEAD:
+        while beyond and beyond[0][0] < first + pace.ahead:
             free(heapq.heappop(beyond)[1])
         for user in waits.users[k]:
             missing[user] -= 1
