@@ -73,14 +73,17 @@ constexpr std::size_t kFusedBytes = 0;
 // Register by register: where these are narrower, halves of a vector one after the other.
 template <Signs signs, class T>
 ADAGEN_INLINE T by_registers(const T& a, const T& b, const T& c) {
-  if constexpr (sizeof(T) > kFusedBytes) {
+  if constexpr (kOfHalves<T>) {
+    return T::of(by_registers<signs>(a.low, b.low, c.low),
+                 by_registers<signs>(a.high, b.high, c.high));
+  } else if constexpr (sizeof(T) > kFusedBytes) {
     typedef Real Half __attribute__((vector_size(sizeof(T) / 2)));
-    union Halves {  // if halves are copied, g++ takes them apart lane by lane
+    union InHalves {  // if halves are copied, g++ takes them apart lane by lane
       T whole;
       Half half[2];
     };
-    const Halves x{a}, y{b}, z{c};
-    Halves result;
+    const InHalves x{a}, y{b}, z{c};
+    InHalves result;
     for (int k = 0; k < 2; ++k)
       result.half[k] = by_registers<signs>(x.half[k], y.half[k], z.half[k]);
     return result.whole;

@@ -4,12 +4,13 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <type_traits>
 
 #include "common.hpp"
 #include "constants.hpp"
+#include "registers.hpp"
 #include "sizes.hpp"
+#include "value.hpp"
 
 namespace {
 
@@ -69,8 +70,6 @@ struct Transform {
 
 // Six numbers, such as a column of a 6x6 matrix, in registers of four and two: Eigen takes them by
 // twos or one by one.
-typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
-typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
 struct InRegisters {
   Four low;
   Two high;
@@ -83,14 +82,10 @@ inline InRegisters operator-(const InRegisters& x, const InRegisters& y) {
 }
 inline InRegisters operator*(const InRegisters& x, Real s) { return {x.low * s, x.high * s}; }
 inline InRegisters six_at(const Real* from) {
-  InRegisters x;
-  std::memcpy(&x.low, from, sizeof x.low);
-  std::memcpy(&x.high, from + 4, sizeof x.high);
-  return x;
+  return {from_memory<Four>(from), from_memory<Two>(from + 4)};
 }
 inline void put_six_at(Real* to, const InRegisters& x) {
-  std::memcpy(to, &x.low, sizeof x.low);
-  std::memcpy(to + 4, &x.high, sizeof x.high);
+  to_memory(x.low, to), to_memory(x.high, to + 4);
 }
 inline InRegisters column_of(const Mat6& m, int k) { return six_at(m.data() + 6 * k); }
 inline void put_column(const InRegisters& x, int k, Mat6& m) { put_six_at(m.data() + 6 * k, x); }
@@ -150,8 +145,7 @@ ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
   Mat6 result;
   const Vec3& r = X.r;
   Four E[3];  // columns; the fourth number is not used
-  std::memcpy(E, X.E.data(), 4 * sizeof(Real));
-  std::memcpy(E + 1, X.E.data() + 3, 4 * sizeof(Real));
+  E[0] = from_memory<Four>(X.E.data()), E[1] = from_memory<Four>(X.E.data() + 3);
   E[2] = Four{X.E(0, 2), X.E(1, 2), X.E(2, 2), 0};
   for (int k = 0; k < 6; ++k) {
     const Real* c = m.data() + 6 * k;
@@ -160,9 +154,8 @@ ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
                w = c[5] - (r[0] * y - r[1] * x);
     const Four angular = E[0] * x + E[1] * y + E[2] * z;
     const Four linear = E[0] * u + E[1] * v + E[2] * w;
-    std::memcpy(result.data() + 6 * k, &angular, 4 * sizeof(Real));
-    const Two low{linear[0], linear[1]};
-    std::memcpy(result.data() + 6 * k + 3, &low, 2 * sizeof(Real));
+    to_memory(angular, result.data() + 6 * k);
+    to_memory(Two{linear[0], linear[1]}, result.data() + 6 * k + 3);
     result(5, k) = linear[2];
   }
   return result;

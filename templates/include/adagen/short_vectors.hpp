@@ -1,27 +1,22 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include <cstring>
-
 #include "kernels/lanes.hpp"
+#include "registers.hpp"
 #include "sizes.hpp"
+#include "value.hpp"
 
 namespace {
 
-typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
-typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
-typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
 template <class T>
 [[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Real));
 template <class T>
 ADAGEN_INLINE T load(const Real* from) {
-  T x;
-  std::memcpy(&x, from, sizeof x);
-  return x;
+  return from_memory<T>(from);
 }
 template <class T>
 ADAGEN_INLINE T put(const T& x, Real* to) {
-  std::memcpy(to, &x, sizeof x);
+  to_memory(x, to);
   return x;
 }
 

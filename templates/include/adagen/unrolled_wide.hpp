@@ -33,7 +33,7 @@ template <int count, class T>
 ADAGEN_INLINE Real across(const T& x) {
   constexpr int half = kWidth<T> / 2;
   Half<T> halves[2];
-  std::memcpy(halves, &x, sizeof x);
+  to_memory(x, halves);
   if constexpr (count == kWidth<T>) {
     const Half<T> sum = halves[0] + halves[1];
     return across<half>(sum);

@@ -17,6 +17,9 @@ constexpr std::size_t kLaneBytes = 64;  // as the plan has it; narrower machines
 // Numbers side by side.
 [[maybe_unused]] constexpr int kLanes = static_cast<int>(kLaneBytes / sizeof(Real));
 using Lanes = SideBySide<Real, kLanes>::T;
+using Two = SideBySide<Real, 2>::T;
+using Four = SideBySide<Real, 4>::T;
+using Eight = SideBySide<Real, 8>::T;
 
 #if defined(ADAGEN_BATCH) && !defined(ADAGEN_STATE_BY_STATE)
 using Value = Lanes;  // what is computed with

@@ -40,10 +40,6 @@ struct Joints {
 };
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
 
-// The lanes of limbs side by side.
-typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
-typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
-
 // A number of each of the joints.
 template <class T, class Number, std::size_t... lane>
 ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
