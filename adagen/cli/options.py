@@ -175,8 +175,7 @@ def _add_search(parser: Parser) -> None:
         choices=("auto", "none"),
         default=_SEARCH["--parts"],
         help="auto (default): long chains are swept in parts, one in each SIMD lane, where the "
-        "profile predicts that it pays; none: never. Parts pay with AVX-512, and with AVX2 if "
-        "built by clang++; not by g++ (profile avx2)",
+        "profile predicts that it pays; none: never",
     )
     group.add_argument(
         "--objective",
