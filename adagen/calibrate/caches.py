@@ -1,4 +1,4 @@
-"""Sizes of a core's caches, as Linux tells them."""
+"""Sizes of a core's caches and registers, as Linux tells them."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 CACHES = Path("/sys/devices/system/cpu/cpu0/cache")
+PROCESSORS = Path("/proc/cpuinfo")
 _BYTES = {"": 1, "K": 1 << 10, "M": 1 << 20}
 
 
@@ -26,6 +27,30 @@ def second_cache(caches: Path = CACHES) -> int | None:
         caches: folder with a folder for each cache, as sysfs has it.
     """
     return _first(caches, "2", ("Data", "Unified"))
+
+
+def processor_flags(processors: Path = PROCESSORS) -> frozenset[str]:
+    """Return what an x86 processor can, as Linux names it; nothing of others.
+
+    Args:
+        processors: a text like that of procfs.
+    """
+    try:
+        text = processors.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return frozenset()
+    lines = (line.split() for line in text.splitlines() if line.startswith("flags"))
+    return frozenset(next(lines, []))
+
+
+def widest_register(processors: Path = PROCESSORS) -> int:
+    """Return the bytes of the widest registers that compilers take for numbers.
+
+    Args:
+        processors: a text like that of procfs.
+    """
+    flags = processor_flags(processors)
+    return 64 if "avx512f" in flags else 32 if "avx" in flags else 16
 
 
 def _first(caches: Path, level: str, kinds: tuple[str, ...]) -> int | None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from statistics import median
 
 from adagen.build import Toolchain
-from adagen.calibrate.caches import instruction_cache, second_cache
+from adagen.calibrate.caches import instruction_cache, second_cache, widest_register
 from adagen.calibrate.channel import (
     Channels,
     MessageTime,
@@ -162,7 +162,7 @@ def _measure(
     profile: CostProfile, toolchain: Toolchain, quick: bool, progress: Progress | None
 ) -> _Measured:
     """Build all programs and time them in turn, several times over."""
-    chosen, cache = stepwise_programs(profile, quick), _caches()["unrolled.cache"]
+    chosen, cache = stepwise_programs(profile, quick), _sizes()["unrolled.cache"]
     straight = [
         each for ahead in ORDERS for each in straight_programs(in_order(profile, ahead, cache))
     ]
@@ -201,10 +201,11 @@ def _measure(
     )
 
 
-def _caches() -> dict[str, float]:
-    """The coefficients that are sizes of this machine's caches."""
+def _sizes() -> dict[str, float]:
+    """The coefficients that are sizes of this machine's caches and registers."""
     told = {"unrolled.cache": instruction_cache(), "process.cache": second_cache()}
-    return {name: float(size or ASSUMED[name]) for name, size in told.items()}
+    sizes = {name: float(size or ASSUMED[name]) for name, size in told.items()}
+    return sizes | {"process.register": float(widest_register())}
 
 
 class _Steps:
@@ -239,7 +240,7 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     """Return the costs, but for those of slaved joints."""
     table = fit_steps(free)
     table["process.evaluation"] = evaluation_cost(free)
-    table |= fit_straight(timed_stretches(found.straight)) | _caches()
+    table |= fit_straight(timed_stretches(found.straight)) | _sizes()
     table["unrolled.ahead"] = found.ahead
     if found.channels is not None:
         window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)

@@ -72,17 +72,18 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "slaved": ("solve", "apply", "column"),
     "limbs": ("two", "four", "nested_inwards", "nested_outwards", "turned"),
     "parts": ("inwards", "outwards", "run", "join", "release"),
-    "process": ("evaluation", "margin", "cache"),
+    "process": ("evaluation", "margin", "cache", "register"),
     "unrolled": (
         *("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
         *("evicted", "fits", "cache", "ahead"),
     ),
 }
-"""Groups with coefficients of their own, times but for seven.
+"""Groups with coefficients of their own, times but for eight.
 
 ``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` and ``unrolled.fits`` are
 numbers of statements, ``unrolled.cache`` is the size of a core's first instruction cache in bytes,
-``process.cache`` that of its second-level cache (adagen/schedule/caches.py), ``unrolled.ahead`` is
+``process.cache`` that of its second-level cache (adagen/schedule/caches.py), ``process.register``
+that of its widest registers, ``unrolled.ahead`` is
 how many values are looked at for those that others wait for (adagen/emit/unrolled/order.py).
 
 ``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`);
@@ -97,9 +98,10 @@ ASSUMED = {
     "unrolled.cache": 65536.0,
     "unrolled.ahead": 2000.0,
     "process.cache": 2097152.0,
+    "process.register": 64.0,
 }
 """What holds where a profile says nothing: it was measured without lines of such a length, and the
-machine's caches are not known, nor which order of values is the faster one."""
+machine's caches and registers are not known, nor which order of values is the faster one."""
 LIKE = {REPEATED: "join"}
 """Groups that a profile may leave out, and the groups whose coefficients hold for them then."""
 

@@ -22,8 +22,11 @@ from adagen.search.process_count import Candidate, choose_processes, margin
 MOST_SHARING = 16
 """Processes that one evaluation is shared by at most."""
 
-LANES = 8
-"""States that a register of a batch solver holds, in double with AVX-512."""
+FULL = 8
+"""States that pieces of a batch are multiples of: they fill the widest registers there are."""
+
+NUMBER = 8
+"""Bytes of a number of a state."""
 
 STATES = 1 << 17
 """States of the batches that are played through."""
@@ -192,7 +195,8 @@ def state_time(model: Model, profile: CostProfile) -> float:
     in_parts = len(model.joints) > solved_in_lanes(step_costs(profile))
     plan = make_plan(model, best_schedule(model, 1, profile, in_parts=in_parts))
     program = program_of(plan, batch=True, profile=profile)
-    return timeline(program, profile).makespan / (LANES if program.batch else 1)
+    lanes = step_costs(profile)["process.register"] // NUMBER if program.batch else 1
+    return timeline(program, profile).makespan / max(1, lanes)
 
 
 def batches_on(
@@ -211,7 +215,7 @@ def batches_on(
         costs: of messages in a host.
         network: of messages between hosts.
     """
-    batch = Batch(STATES, state, model.nq + model.nv + model.ntau, model.nv, LANES)
+    batch = Batch(STATES, state, model.nq + model.nv + model.ntau, model.nv, FULL)
     return tuple(_batches(batch, hosts[:count], costs, network) for count in _counts(len(hosts)))
 
 

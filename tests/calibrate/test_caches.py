@@ -1,4 +1,4 @@
-"""What Linux tells of a core's caches."""
+"""What Linux tells of a core's caches and registers."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from adagen.calibrate.caches import instruction_cache, second_cache
+from adagen.calibrate.caches import instruction_cache, second_cache, widest_register
 
 
 def _caches(folder: Path, *caches: tuple[str, str, str]) -> Path:
@@ -36,3 +36,15 @@ def test_what_is_not_told_is_not_made_up(tmp_path: Path, size: str) -> None:
     assert second_cache(found) is None
     assert second_cache(tmp_path / "nowhere") is None
     assert instruction_cache(tmp_path / "nowhere") is None
+
+
+@pytest.mark.parametrize(
+    ("flags", "width"), [("sse4_2 avx avx2 avx512f", 64), ("sse4_2 avx fma", 32), ("sse4_2", 16)]
+)
+def test_the_widest_registers_are_those_of_the_flags(
+    tmp_path: Path, flags: str, width: int
+) -> None:
+    text = f"processor\t: 0\nflags\t\t: fpu {flags}\n\nprocessor\t: 1\nflags\t\t: fpu\n"
+    (tmp_path / "cpuinfo").write_text(text, encoding="utf-8")
+    assert widest_register(tmp_path / "cpuinfo") == width
+    assert widest_register(tmp_path / "nowhere") == 16

@@ -75,7 +75,8 @@ def test_every_coefficient_that_prices_something_is_measured(
         for operation in process.operations
         for name in operation_features(operation, program.plan.joints, joins_of(program.plan))
     }
-    fitted = {"process.evaluation", "process.margin", "process.cache", "unrolled.held"}
+    fitted = {"process.evaluation", "process.margin", "unrolled.held"}
+    fitted |= {"process.cache", "process.register"}
     fitted |= {name for name in NAMES if name.startswith(("slaved.", "unrolled."))}
     unseen = {name for name in NAMES if name not in seen | fitted}
     told = {f"{group}.{key}" for group, keys in OTHERS.items() for key in keys}

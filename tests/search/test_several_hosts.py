@@ -77,6 +77,14 @@ def test_batches_pay_where_the_link_is_fast_enough() -> None:
         assert one.rate <= one.in_place
 
 
+def test_states_share_the_lanes_of_a_register() -> None:
+    model, wide = serial_chain(5), load_profile("xeon")
+    assert wide.steps is not None
+    table = {**wide.steps.table, "process.register": 32.0}
+    narrow = replace(wide, steps=replace(wide.steps, table=table))
+    assert state_time(model, narrow) == pytest.approx(2 * state_time(model, wide))
+
+
 def test_states_of_long_chains_are_priced_one_by_one() -> None:
     """Their batches are solved state by state, in parts: no lane holds another state."""
     model, xeon = serial_chain(520), load_profile("xeon")

