@@ -84,12 +84,12 @@ def said(compiler: str, text: str, *flags: str) -> str:
 @pytest.mark.parametrize("processor", [*REGISTERS, "aarch64"])
 def test_a_register_of_a_batch_is_one_of_the_machine(processor: str, builder: Builder) -> None:
     """Lanes of single states are those of the plan, whatever the machine."""
+    compiler, flags, width = ARM, list[str](), 16
     if processor == "aarch64":
-        compiler, flags, width = ARM, (), 16
         if shutil.which(ARM) is None:
             pytest.skip(f"{ARM} is not installed: see docs/how_to/building.md")
     elif platform.machine() == "x86_64":
-        compiler, flags = builder.toolchain.cxx[0], (f"-march={processor}",)
+        compiler, flags = builder.toolchain.cxx[0], [f"-march={processor}"]
         width = REGISTERS[processor]
     else:
         pytest.skip("the compiler is for other processors")
