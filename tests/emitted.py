@@ -39,6 +39,7 @@ EXACT = (*QUICK, "-ffp-contract=off")  # each operation of the text is one of th
 OPTIMISED = ("-O3", *QUICK[1:])
 NARROW = ("-O1", "-march=x86-64-v2", *QUICK[2:])  # registers of two doubles
 HALVED = ("-O1", "-march=x86-64-v3", *QUICK[2:])  # of four
+CHECKED = ("-fsanitize=undefined", "-fno-sanitize-recover=all", *QUICK)  # as it runs
 HURRIED = ("--param=ggc-min-heapsize=1500000", "-Wno-unused-command-line-argument")
 """g++ collects no memory below 1.5 GB, and takes a twelfth less time; others ignore it."""
 PARSED = (QUICK, EXACT)

@@ -12,7 +12,7 @@ from adagen.plan import make_plan
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from adagen.states import random_states
-from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, text_of
+from tests.emitted import CHECKED, NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, text_of
 from tests.models import serial_chain
 from tests.plan.test_parts import hinges, hung, in_parts
 from tests.slow import slow, spread
@@ -20,16 +20,20 @@ from tests.slow import slow, spread
 
 @pytest.mark.parametrize(
     ("flags", "joints", "scalar"),
-    spread(
-        [
-            (QUICK, 24, "double"),
-            (OPTIMISED, 33, "double"),
-            (NARROW, 39, "double"),
-            (QUICK, 50, "float"),
-            (OPTIMISED, 64, "float"),
-        ],
-        2,
-    ),
+    [
+        *spread(
+            [
+                (QUICK, 24, "double"),
+                (OPTIMISED, 33, "double"),
+                (NARROW, 39, "double"),
+                (QUICK, 50, "float"),
+                (OPTIMISED, 64, "float"),
+            ],
+            2,
+        ),
+        (CHECKED, 26, "double"),
+        slow(CHECKED, 49, "float"),
+    ],
 )
 def test_parts_are_solved(
     flags: tuple[str, ...], joints: int, scalar: str, builder: Builder, tmp_path: Path

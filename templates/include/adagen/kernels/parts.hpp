@@ -149,7 +149,10 @@ struct SweptParts {
     constexpr Lanes V::* components[]{&V::x, &V::y, &V::z};
     ADAGEN_FOR (i, 0, 6) {
       const ThreeWrenches& own = i < 3 ? moments : forces;
-      found[i] = (k < 3 ? own.n : own.f)[i % 3].*components[k % 3];
+      // Named first: where g++ checks shifts or overflow (-fsanitize=undefined), it takes another
+      // place of an array that is chosen and indexed in one expression.
+      const V(&arrived)[3] = k < 3 ? own.n : own.f;
+      found[i] = arrived[i % 3].*components[k % 3];
     }
   }
 };
