@@ -57,8 +57,7 @@ constexpr int kMostNumbers = 27;  // of what is split into lanes or joined: a Bo
 // One lane of what consists of numbers alone, and all lanes made one.
 template <class T, template <class> class S, std::size_t... k>
 ADAGEN_INLINE S<Value> lane_of(const S<T>& all, int lane, std::index_sequence<k...>) {
-  T numbers[sizeof...(k)];
-  std::memcpy(numbers, &all, sizeof all);
+  const T* const numbers = reinterpret_cast<const T*>(&all);
   const Value own[]{numbers[k][lane]...};
   S<Value> result;
   std::memcpy(&result, own, sizeof result);
@@ -78,9 +77,9 @@ ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>],
                                 std::index_sequence<k...>) {
   Value own[kWidth<T>][kMostNumbers];
   ADAGEN_FOR (lane, 0, kWidth<T>) std::memcpy(own[lane], sides[lane], sizeof *sides[lane]);
-  const T numbers[]{lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})...};
   S<T> result;
-  std::memcpy(&result, numbers, sizeof result);
+  T* const numbers = reinterpret_cast<T*>(&result);
+  ((numbers[k] = lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})), ...);
   return result;
 }
 template <class T, template <class> class S>
