@@ -183,7 +183,7 @@ def _written(text: str, source: Path) -> Path:
 
 
 def _compile(command: list[str], toolchain: Toolchain, work: Path) -> None:
-    done = _run(command, toolchain)
+    done = run_compiler(command, toolchain)
     if done.returncode != 0:
         raise EnvironmentFault(_why(done, work))
 
@@ -241,14 +241,14 @@ def _compiler_identity(compiler: tuple[str, ...], toolchain: Toolchain) -> str:
 
 @lru_cache(maxsize=16)
 def _asked(compiler: tuple[str, ...], toolchain: Toolchain, _as_of: tuple[object, ...]) -> str:
-    version = _run([*compiler, "--version"], toolchain)
+    version = run_compiler([*compiler, "--version"], toolchain)
     if version.returncode != 0:
         output = printable(" ".join((version.stderr or version.stdout).split()))[:300]
         raise EnvironmentFault(
             f"{compiler[0]} does not work: {output or 'no message'} (is g++ installed?)"
         )
     for option in ("--showme", "-show"):  # Open MPI's word, MPICH's word
-        shown = _run([*compiler, option], toolchain)
+        shown = run_compiler([*compiler, option], toolchain)
         if shown.returncode == 0:
             return version.stdout + shown.stdout
     return version.stdout
@@ -284,7 +284,12 @@ def _why(done: subprocess.CompletedProcess[str], work: Path) -> str:
     return f"the compiler failed: {printable(' | '.join(errors[:3]))[:600]}"
 
 
-def _run(command: list[str], toolchain: Toolchain) -> subprocess.CompletedProcess[str]:
+def run_compiler(command: list[str], toolchain: Toolchain) -> subprocess.CompletedProcess[str]:
+    """Return what a command of the compiler printed.
+
+    Raises:
+        EnvironmentFault: it cannot be run.
+    """
     try:
         return subprocess.run(
             command,

@@ -1,13 +1,17 @@
-"""Sizes of a core's caches and registers, as Linux tells them."""
+"""Sizes of a core's caches, as Linux tells them, and registers, as the compiler does."""
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
+from adagen.build import Toolchain
+from adagen.build.cache import run_compiler
+
 CACHES = Path("/sys/devices/system/cpu/cpu0/cache")
-PROCESSORS = Path("/proc/cpuinfo")
+_REGISTERS = {"__AVX512F__": 64, "__AVX__": 32}  # as registers.hpp has it, else 16
 _BYTES = {"": 1, "K": 1 << 10, "M": 1 << 20}
 
 
@@ -29,28 +33,21 @@ def second_cache(caches: Path = CACHES) -> int | None:
     return _first(caches, "2", ("Data", "Unified"))
 
 
-def processor_flags(processors: Path = PROCESSORS) -> frozenset[str]:
-    """Return what an x86 processor can, as Linux names it; nothing of others.
+def widest_register(toolchain: Toolchain) -> int:
+    """Return the bytes of the widest registers that a compiler takes for numbers.
+
+    Its options decide on that: programs may be built for narrower ones than this machine's.
 
     Args:
-        processors: a text like that of procfs.
+        toolchain: the compiler and its options.
+
+    Raises:
+        EnvironmentFault: the compiler cannot be run.
     """
-    try:
-        text = processors.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError):
-        return frozenset()
-    lines = (line.split() for line in text.splitlines() if line.startswith("flags"))
-    return frozenset(next(lines, []))
-
-
-def widest_register(processors: Path = PROCESSORS) -> int:
-    """Return the bytes of the widest registers that compilers take for numbers.
-
-    Args:
-        processors: a text like that of procfs.
-    """
-    flags = processor_flags(processors)
-    return 64 if "avx512f" in flags else 32 if "avx" in flags else 16
+    command = [*toolchain.cxx, *toolchain.flags, "-dM", "-E", "-x", "c++", os.devnull]
+    done = run_compiler(command, toolchain)
+    macros = {words[1] for line in done.stdout.splitlines() if len(words := line.split()) > 1}
+    return next((width for name, width in _REGISTERS.items() if name in macros), 16)
 
 
 def _first(caches: Path, level: str, kinds: tuple[str, ...]) -> int | None:

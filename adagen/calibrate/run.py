@@ -87,6 +87,7 @@ class _Measured:
         ahead: which is that: one of ``ORDERS``.
         channels: times of messages; None with one core.
         speeds: of the cores; () if they are alike.
+        sizes: coefficients that are sizes of caches and registers.
     """
 
     labels: list[str]
@@ -95,6 +96,7 @@ class _Measured:
     ahead: float
     channels: Channels | None
     speeds: tuple[float, ...]
+    sizes: dict[str, float]
 
 
 def calibrate(
@@ -162,7 +164,8 @@ def _measure(
     profile: CostProfile, toolchain: Toolchain, quick: bool, progress: Progress | None
 ) -> _Measured:
     """Build all programs and time them in turn, several times over."""
-    chosen, cache = stepwise_programs(profile, quick), _sizes()["unrolled.cache"]
+    sizes = _sizes(toolchain)
+    chosen, cache = stepwise_programs(profile, quick), sizes["unrolled.cache"]
     straight = [
         each for ahead in ORDERS for each in straight_programs(in_order(profile, ahead, cache))
     ]
@@ -198,14 +201,15 @@ def _measure(
         ahead,
         least_times(messages) if messages else None,
         speeds,
+        sizes,
     )
 
 
-def _sizes() -> dict[str, float]:
-    """The coefficients that are sizes of this machine's caches and registers."""
+def _sizes(toolchain: Toolchain) -> dict[str, float]:
+    """The coefficients that are sizes of caches and of the registers that compilers take."""
     told = {"unrolled.cache": instruction_cache(), "process.cache": second_cache()}
     sizes = {name: float(size or ASSUMED[name]) for name, size in told.items()}
-    return sizes | {"process.register": float(widest_register())}
+    return sizes | {"process.register": float(widest_register(toolchain))}
 
 
 class _Steps:
@@ -240,7 +244,7 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     """Return the costs, but for those of slaved joints."""
     table = fit_steps(free)
     table["process.evaluation"] = evaluation_cost(free)
-    table |= fit_straight(timed_stretches(found.straight)) | _sizes()
+    table |= fit_straight(timed_stretches(found.straight)) | found.sizes
     table["unrolled.ahead"] = found.ahead
     if found.channels is not None:
         window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)

