@@ -25,7 +25,8 @@ from adagen.plan.refine import corrected, refinable, why_not_in_lines
 from adagen.plan.robot import slaved_joint
 from adagen.plan.steps import Join
 from adagen.program import Program
-from adagen.schedule import CostProfile, with_steps
+from adagen.schedule import CostProfile, step_costs, with_steps
+from adagen.schedule.caches import EIGHT_NUMBERS
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,10 @@ KNOWN = {**SHAPES, **BASELINES}
 
 MOST_FREEDOMS = 128
 """Degrees of freedom of a robot up to which straight lines are priced: beyond, their statements
-take longer to make than to find that their instructions no longer fit where they are fetched."""
+take longer to make than to find that loops are faster."""
+
+MOST_FREEDOMS_IN_NARROW_REGISTERS = 256
+"""The same where no register holds the eight numbers that loops compute with."""
 
 
 MOST_FREEDOMS_IN_BATCHES = 512
@@ -176,11 +180,12 @@ def to_be_refined(plan: Plan, shape: str, steps: int, residual: str) -> Plan:
     return refinable(plan)
 
 
-def offered(plan: Plan) -> tuple[str, ...]:
+def offered(plan: Plan, profile: CostProfile | None = None) -> tuple[str, ...]:
     """Return the shapes among which "auto" takes the one of least price, the default first.
 
-    Form `ada` is read joint by joint on several processes. Loops sweep ball joints in axes of the
-    base, where links that are slender beyond them lose digits: those are straight lines.
+    How wide registers are is by the profile, the shipped one if not given. Form `ada` is read joint
+    by joint on several processes. Loops sweep ball joints in axes of the base, where links that are
+    slender beyond them lose digits: those are straight lines.
     """
     if plan.reproducible:
         return ("unrolled",)
@@ -189,7 +194,8 @@ def offered(plan: Plan) -> tuple[str, ...]:
         return loops
     if plan.form == "ada" and plan.several:
         return loops
-    if plan.nv > MOST_FREEDOMS:
+    wide = step_costs(profile)["process.register"] >= EIGHT_NUMBERS
+    if plan.nv > (MOST_FREEDOMS if wide else MOST_FREEDOMS_IN_NARROW_REGISTERS):
         return loops
     return ("unrolled",) if balls_lose(plan) else (*loops, "unrolled")
 
@@ -197,7 +203,7 @@ def offered(plan: Plan) -> tuple[str, ...]:
 @lru_cache(maxsize=8)  # a plan is judged, priced and emitted one after the other
 def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
     """The shape of least predicted time."""
-    names = offered(plan)
+    names = offered(plan, profile)
     return names[0] if len(names) == 1 else _fastest(plan, names, profile)
 
 

@@ -174,11 +174,11 @@ class Request:
         """Whether a process may sweep a long chain in parts, one in each SIMD lane.
 
         Loops for one state do, whose answers are not the same on any number of processes. One
-        process certifies them. A batch of chains of so many joints is solved state by state, if as
-        many states as there are lanes would not fit the cache, and they are not certified.
+        process certifies them. A batch of chains of so many joints is solved state by state, if
+        eight states, one in each lane, would not fit the cache, and they are not certified.
         """
         alone = self.reproducible or self.target != "host" or (self.certify and self.batch)
-        alone |= self.batch and joints <= solved_in_lanes(costs)
+        alone |= self.batch and solved_in_lanes(joints, costs)
         return self.parts == "auto" and self.may_gather and self.form == "segment" and not alone
 
     @property

@@ -143,7 +143,7 @@ class Families:
         if plan.processes in self._tried:
             return
         self._tried.add(plan.processes)
-        for shape in offered(plan) if self.shape == "auto" else (self.shape,):
+        for shape in offered(plan, self.profile) if self.shape == "auto" else (self.shape,):
             program = priced_program(plan, shape, self.profile)
             line = timeline(program, self.profile)
             if program.shape == "unrolled":

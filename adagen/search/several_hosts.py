@@ -192,7 +192,7 @@ def state_time(model: Model, profile: CostProfile) -> float:
     the lanes: what registers take longer for than numbers is not in it. Long chains are solved
     state by state, their lanes are for parts.
     """
-    in_parts = len(model.joints) > solved_in_lanes(step_costs(profile))
+    in_parts = not solved_in_lanes(len(model.joints), step_costs(profile))
     plan = make_plan(model, best_schedule(model, 1, profile, in_parts=in_parts))
     program = program_of(plan, batch=True, profile=profile)
     lanes = step_costs(profile)["process.register"] // NUMBER if program.batch else 1

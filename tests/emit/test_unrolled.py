@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit.shapes import chosen_shape
+from adagen.emit.shapes import chosen_shape, offered
 from adagen.model import Inertia, Model
+from adagen.schedule import load_profile
 from adagen.states import random_states, write_states
 from tests.emit.unusual import CASES, chain_with_thin_link, require_solved
 from tests.emitted import ROUNDING, Builder, Solver, plan_of, text_of
@@ -210,3 +211,10 @@ def test_a_batch_has_two_ways_and_a_reproducible_one_has_all(
     text = text_of(again, batch=1)
     assert text.count("constexpr std::array kRecoverParts_") == len(all_ways) - 1
     assert text.count("Way{k") == len(all_ways)
+
+
+@pytest.mark.parametrize(("profile", "joints"), [("xeon", 128), ("avx2", 256)])
+def test_lines_are_longer_where_registers_are_narrower(profile: str, joints: int) -> None:
+    costs = load_profile(profile)
+    assert offered(plan_of(serial_chain(joints), 1), costs) == ("kernels", "unrolled")
+    assert offered(plan_of(serial_chain(joints + 1), 1), costs) == ("kernels",)

@@ -32,8 +32,14 @@ def test_limits_are_in_proportion_to_the_cache() -> None:
     for limit, joints in ((swept_whole, 1497), (swept_in_parts, 2995)):
         assert limit(USUAL.measured) == joints
         assert limit(SMALL.measured) == joints // 8
-    assert [solved_in_lanes(each.measured) for each in (SMALL, USUAL, LARGE)] == [512, 512, 1198]
-    assert solved_in_lanes(SMALL.measured) == MOST_FREEDOMS_IN_BATCHES
+    for profile, joints in ((SMALL, 512), (USUAL, 512), (LARGE, 1198)):
+        found = [solved_in_lanes(joints + k, profile.measured) for k in range(2)]
+        assert found == [True, False]
+    assert solved_in_lanes(MOST_FREEDOMS_IN_BATCHES, SMALL.measured)
+
+
+def test_four_states_in_lanes_are_solved_at_once_at_any_length() -> None:
+    assert solved_in_lanes(5000, load_profile("avx2").measured)
 
 
 def test_a_smaller_cache_has_tiles_of_shorter_chains() -> None:

@@ -147,9 +147,12 @@ def test_certified_chains_stay_whole_where_loops_cannot_weigh_parts() -> None:
 
 
 def test_batches_of_long_chains_are_in_parts() -> None:
-    """State by state, where as many states as there are lanes would not fit the cache."""
-    model = hinges(solved_in_lanes(XEON.measured) + 1, seed=2)
-    assert schedule_of(model, Request(profile="xeon", batch=True)).parts == 8
+    """State by state, where eight states would not fit the cache; four are solved in lanes."""
+    model = hinges(600, seed=2)
+    assert not solved_in_lanes(600, XEON.measured)
+    for profile, parts in (("xeon", 8), ("avx2", 0)):
+        assert schedule_of(model, Request(profile=profile)).parts == 8
+        assert schedule_of(model, Request(profile=profile, batch=True)).parts == parts
     assert schedule_of(model, Request(profile="xeon", batch=True, parts="none")).parts == 0
 
 
