@@ -10,7 +10,8 @@ from dataclasses import dataclass, replace
 from statistics import median
 
 from adagen.build import Toolchain
-from adagen.calibrate.caches import instruction_cache, second_cache, widest_register
+from adagen.build.registers import widest_register
+from adagen.calibrate.caches import instruction_cache, second_cache
 from adagen.calibrate.channel import (
     Channels,
     MessageTime,

@@ -16,7 +16,10 @@ _EPILOG = """examples:
   $(adagen env --mpicxx) -O3 ...     for use in a Makefile or script
 
 MPICXX, MPIEXEC, EIGEN and CXX choose another compiler wrapper, launcher, Eigen
-or compiler; CXXFLAGS is appended to the options."""
+or compiler; CXXFLAGS is appended to the options.
+
+profile is the shipped one that was measured with registers of this width, for
+--profile; adagen calibrate measures this machine's costs."""
 
 
 def command_parser() -> Parser:
@@ -51,6 +54,14 @@ def run(argv: Sequence[str]) -> int:
         "flags": shlex.join(toolchain.flags),
         "variables": " ".join(shlex.quote(f"{n}={v}") for n, v in toolchain.environment),
     }
+    if options.which not in (None, "json"):
+        print(lines[options.which])
+        return 0
+
+    from adagen.build.registers import widest_register
+    from adagen.schedule.profile import shipped_for
+
+    register = widest_register(toolchain)
     if options.which == "json":
         report: dict[str, object] = {
             "cxx": list(toolchain.cxx),
@@ -61,12 +72,14 @@ def run(argv: Sequence[str]) -> int:
             "variables": dict(toolchain.environment),
             "wheel": toolchain.wheel,
             "cache": str(cache_folder()),
+            "register_bytes": register,
+            "profile": shipped_for(register),
         }
         print(json.dumps(report, indent=2))
-    elif options.which is not None:
-        print(lines[options.which])
-    else:
-        for name, line in [*lines.items(), ("cache", str(cache_folder()))]:
-            words = textwrap.wrap(line, 70, break_long_words=False, break_on_hyphens=False)
-            print(f"{name:10}" + f"\n{'':10}".join(words))
+        return 0
+    lines["cache"] = str(cache_folder())
+    lines["profile"] = f"{shipped_for(register)}, the shipped one for registers of {register} bytes"
+    for name, line in lines.items():
+        words = textwrap.wrap(line, 70, break_long_words=False, break_on_hyphens=False)
+        print(f"{name:10}" + f"\n{'':10}".join(words))
     return 0

@@ -16,6 +16,7 @@ from importlib import resources
 from pathlib import Path
 
 from adagen.errors import InputError, UsageError
+from adagen.schedule.caches import EIGHT_NUMBERS
 from adagen.schedule.costs import StepCosts, read_steps
 from adagen.tomlfile import parse_toml
 
@@ -157,6 +158,11 @@ def profile_text(name: str) -> tuple[str, str]:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "not a usable path"
         raise InputError(f"cannot read the cost profile: {reason}", name) from None
+
+
+def shipped_for(register: int) -> str:
+    """Return the shipped profile that was measured with registers of so many bytes, or nearest."""
+    return "default" if register >= EIGHT_NUMBERS else "avx2"
 
 
 def with_steps(profile: CostProfile | None) -> CostProfile:

@@ -1,15 +1,12 @@
-"""What is told of a core's caches and registers."""
+"""What is told of a core's caches."""
 
 from __future__ import annotations
 
-import os
-import platform
 from pathlib import Path
 
 import pytest
 
-from adagen.build import find_toolchain
-from adagen.calibrate.caches import instruction_cache, second_cache, widest_register
+from adagen.calibrate.caches import instruction_cache, second_cache
 
 
 def _caches(folder: Path, *caches: tuple[str, str, str]) -> Path:
@@ -39,12 +36,3 @@ def test_what_is_not_told_is_not_made_up(tmp_path: Path, size: str) -> None:
     assert second_cache(found) is None
     assert second_cache(tmp_path / "nowhere") is None
     assert instruction_cache(tmp_path / "nowhere") is None
-
-
-@pytest.mark.skipif(platform.machine() not in {"x86_64", "AMD64"}, reason="options of x86-64")
-@pytest.mark.parametrize(
-    ("option", "width"),
-    [("-march=x86-64-v4", 64), ("-march=x86-64-v3", 32), ("-march=x86-64-v2", 16)],
-)
-def test_the_widest_registers_are_those_that_are_built_for(option: str, width: int) -> None:
-    assert widest_register(find_toolchain({**os.environ, "CXXFLAGS": option})) == width
