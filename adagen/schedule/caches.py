@@ -10,7 +10,6 @@ from __future__ import annotations
 from adagen.schedule.costs import StepCosts
 
 _SWEPT_WHOLE = 1400
-_IN_PARTS = 700
 _IN_LANES = 7000
 _STRAIGHT = 512
 
@@ -25,15 +24,6 @@ def swept_whole(costs: StepCosts) -> int:
     fetch its memory from the next level.
     """
     return int(costs["process.cache"] // _SWEPT_WHOLE)
-
-
-def swept_in_parts(costs: StepCosts) -> int:
-    """Return the joints of a chain in parts, at most: some 500 bytes of each are kept.
-
-    With 5000 joints and 2 MB, least times are still shorter than by tiles, but medians vary from
-    150 to 210 us instead of 190 to 200.
-    """
-    return int(costs["process.cache"] // _IN_PARTS)
 
 
 def solved_in_lanes(joints: int, costs: StepCosts) -> bool:

@@ -10,7 +10,7 @@ from adagen.plan import can_gather
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.program.strips import LANES
-from adagen.schedule import CostProfile, Schedule, Topology, step_costs
+from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
 from adagen.search.ada_search import played_schedule
 from adagen.search.chain_parts import certifies, parted
@@ -94,7 +94,7 @@ def _alone(
 ) -> Schedule:
     """The schedule of one process, with its chain in parts where that is predicted to pay."""
     seen = fold_of(model, "segment")
-    found = parted(whole, model, parts if seen.trivial else 0, step_costs(profile))
+    found = parted(whole, model, parts if seen.trivial else 0)
     if found is None or (certify and not certifies(found, model)):
         return whole
     families = Families(

@@ -21,12 +21,12 @@ from adagen.plan.stages import stages
 from adagen.plan.steps import Append, Arrive, Disassemble, InvertRoot, Join
 from adagen.program import Program
 from adagen.schedule import CostProfile, Schedule, Topology
-from adagen.schedule.caches import swept_in_parts
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.schedule.search_result import Found
 from adagen.schedule.tree import Tie
 from adagen.schedule.tree_draft import Draft
+from adagen.search.chain_parts import MOST_JOINTS
 from adagen.search.even_shares import halves
 from adagen.search.segment_pareto import put_segment
 
@@ -44,22 +44,18 @@ Play = Callable[[Schedule], tuple[Program, Timeline]]
 """Makes a schedule's program and plays it."""
 
 
-def numbers_of_processes(
-    topology: Topology, processes: int, costs: StepCosts, parts: int = 0
-) -> list[int]:
+def numbers_of_processes(topology: Topology, processes: int, parts: int = 0) -> list[int]:
     """Return the numbers of processes to try for exchanges: all, half of them, ...
 
     Args:
         topology: the robot.
         processes: P.
-        costs: with the size of the cache that the parts of a process lie in.
         parts: in how many parts each process sweeps its own joints at once; 0: not in parts.
     """
     counts = halves(processes) if topology.is_chain and processes > 1 else []
     joints = len(topology)
     if parts:  # each has them, by which this family is defined
-        most = swept_in_parts(costs)
-        return [n for n in counts if FEWEST_ROWS * parts * n <= joints <= most * n]
+        return [n for n in counts if FEWEST_ROWS * parts * n <= joints <= MOST_JOINTS * n]
     # The joint of a cut is in neither part.
     return [n for n in counts if joints >= (_FEWEST + 1) * n - 1]
 

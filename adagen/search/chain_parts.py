@@ -16,20 +16,23 @@ from adagen.plan import make_plan
 from adagen.plan.certificate import certified
 from adagen.plan.steps import Join
 from adagen.schedule import Schedule
-from adagen.schedule.caches import swept_in_parts
-from adagen.schedule.costs import StepCosts
+
+MOST_JOINTS = 3000
+"""Joints of a process that may be in parts: how many digits that keeps takes 6 ms for each to find.
+
+Parts stay the faster way in caches beyond the second level, too (docs/records/chains.md).
+"""
 
 
-def parted(schedule: Schedule, model: Model, parts: int, costs: StepCosts) -> Schedule | None:
+def parted(schedule: Schedule, model: Model, parts: int) -> Schedule | None:
     """Return a schedule whose processes sweep their chains in parts; None where none is parted.
 
     Args:
         schedule: who has what.
         model: the robot.
         parts: as many as SIMD lanes; 0: none.
-        costs: with the size of the cache that they lie in.
     """
-    if not parts or len(model.joints) > swept_in_parts(costs):
+    if not parts or len(model.joints) > MOST_JOINTS:
         return None
     found = replace(schedule, parts=parts)
     more = joined(found, model) - joined(schedule, model)

@@ -133,7 +133,7 @@ class Families:
             cuttable: for each joint whether mobilities may meet there.
         """
         assert self.best is not None  # one process comes first
-        found = parted(self.best, self.model, self.parts if self.loops else 0, self.costs)
+        found = parted(self.best, self.model, self.parts if self.loops else 0)
         if found is not None and keeps_digits(found, self.model, cuttable):
             self.consider(found, "parts")
 
@@ -185,7 +185,7 @@ class Families:
             return
         assert self.best is not None  # one process comes first
         for parts in (0, self.parts) if self.parts else (0,):
-            counts = numbers_of_processes(self.topology, self.processes, self.costs, parts)
+            counts = numbers_of_processes(self.topology, self.processes, parts)
             asked = self.topology, self.profile, cuttable, self.best.tie, parts
             if counts:
                 self._exchange_in(ChainExchange(*asked), counts, cuttable)

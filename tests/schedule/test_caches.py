@@ -10,10 +10,9 @@ from adagen.emit import emit, program_of
 from adagen.emit.shapes import MOST_FREEDOMS_IN_BATCHES
 from adagen.library.request import Request
 from adagen.plan import make_plan
-from adagen.schedule import CostProfile, Topology, load_profile
-from adagen.schedule.caches import solved_in_lanes, swept_in_parts, swept_whole
+from adagen.schedule import CostProfile, load_profile
+from adagen.schedule.caches import solved_in_lanes, swept_whole
 from adagen.search import best_schedule
-from adagen.search.chain_exchange import numbers_of_processes
 from tests.emitted import plan_of
 from tests.models import serial_chain
 
@@ -29,9 +28,7 @@ SMALL, USUAL, LARGE = (with_cache(size) for size in (1 << 18, 2 << 20, 8 << 20))
 
 
 def test_limits_are_in_proportion_to_the_cache() -> None:
-    for limit, joints in ((swept_whole, 1497), (swept_in_parts, 2995)):
-        assert limit(USUAL.measured) == joints
-        assert limit(SMALL.measured) == joints // 8
+    assert [swept_whole(each.measured) for each in (SMALL, USUAL)] == [187, 1497]
     for profile, joints in ((SMALL, 512), (USUAL, 512), (LARGE, 1198)):
         found = [solved_in_lanes(joints + k, profile.measured) for k in range(2)]
         assert found == [True, False]
@@ -46,18 +43,6 @@ def test_a_smaller_cache_has_tiles_of_shorter_chains() -> None:
     plan = plan_of(serial_chain(300), 1)
     tiles = [program_of(plan, "kernels", profile=each).slots.tile for each in (SMALL, USUAL)]
     assert tiles == [128, 0]
-
-
-def test_parts_are_of_chains_that_the_cache_holds() -> None:
-    model = serial_chain(400)
-    found = [best_schedule(model, 1, each, in_parts=True).parts for each in (SMALL, USUAL)]
-    assert found == [0, 8]
-    numbers = [
-        numbers_of_processes(Topology.of(model), 2, each.measured, parts=8)
-        for each in (SMALL, USUAL)
-    ]
-    assert numbers == [[2], [2]]  # half of it
-    assert not numbers_of_processes(Topology.of(serial_chain(800)), 2, SMALL.measured, parts=8)
 
 
 def test_without_a_cache_chains_of_more_than_a_tile_are_in_tiles() -> None:
