@@ -162,6 +162,19 @@ ADAGEN_INLINE void to_memory(const T& x, void* to) {
   first_to_memory<sizeof x>(x, to);
 }
 
+// Number by number, one or the other, and the larger one.
+template <class Bits, class T>
+ADAGEN_INLINE T chosen(const Bits& first, const T& x, const T& y) {
+  if constexpr (kOfHalves<T>)
+    return T::of(chosen(first.low, x.low, y.low), chosen(first.high, x.high, y.high));
+  else
+    return first ? x : y;
+}
+template <class T>
+ADAGEN_INLINE T larger(const T& x, const T& y) {
+  return chosen(x > y, x, y);
+}
+
 // Bits of numbers as those of others: of as many, of the same size.
 template <class To, class From>
 ADAGEN_INLINE To same_bits(const From& x) {

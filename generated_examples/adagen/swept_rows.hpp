@@ -94,11 +94,6 @@ struct SweptSums {
   T seen, rounded, answer;
 };
 
-template <class T>
-ADAGEN_INLINE T larger_of(const T& a, const T& b) {
-  return a > b ? a : b;
-}
-
 // A vector of the child's axes in the parent's.
 template <class T>
 ADAGEN_INLINE void turn_swept(const T (&u)[3], const T (&turn)[3][3], T (&out)[3]) {
@@ -211,7 +206,7 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
 
   // Turned about z, then as the joint is placed.
   T turn[3][3], turned[3], moved[3], origin[3], levers[3], about[3];
-  const T across = larger_of(squares[0], squares[1]);
+  const T across = larger(squares[0], squares[1]);
   ADAGEN_FOR (k, 0, 3) {
     const T x = known(Constant::kPlacement + 3 * k), y = known(Constant::kPlacement + 3 * k + 1);
     turn[k][0] = c * x + s * y;
@@ -234,8 +229,8 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
     along = sliding ? squares[2] : along;
     ADAGEN_FOR (k, 0, 3) {
       origin[k] += turn[k][2] * number(Number::kShift);
-      about[k] = larger_of(T(squares[0] * known(Constant::kAcross + k)),
-                           T(squares[1] * known(Constant::kOther + k)));
+      about[k] = larger(T(squares[0] * known(Constant::kAcross + k)),
+                        T(squares[1] * known(Constant::kOther + k)));
     }
     ADAGEN_FOR (k, 0, 3) {
       const int i = (k + 1) % 3, m = (k + 2) % 3;
@@ -251,7 +246,7 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
     const int i = (k + 1) % 3, m = (k + 2) % 3;
     handed[Number::kWrench + k] = turned[k] + origin[i] * moved[m] - origin[m] * moved[i];
     handed[Number::kWrench + 3 + k] = moved[k];
-    const T from = larger_of(about[k], T(along * known(Constant::kAlong + k)));
+    const T from = larger(about[k], T(along * known(Constant::kAlong + k)));
     handed[Number::kSquares + k] = from + levers[k] * squares[3];
   }
   handed[Number::kSquares + 3] = squares[3];

@@ -12,7 +12,7 @@ namespace {
 // The same of limbs, lane by lane; a single number stands for all lanes.
 template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
 [[maybe_unused]] ADAGEN_INLINE R max_of(const T& x, const T& y) {
-  return x > y ? x : y;
+  return larger(x, y);
 }
 template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
 [[maybe_unused]] ADAGEN_INLINE R max_of(const T& x, const Real& y) {

@@ -17,7 +17,7 @@ from adagen.studies.random_states import hard_states
 from benchmarks.stability.adversary import long_chains, robots
 from benchmarks.stability.bounds import Certified, bounded, certified_plan
 from tests.emit.test_parts import driven, graded
-from tests.emitted import NARROW, OPTIMISED, Builder, kernels_of
+from tests.emitted import HALVED, NARROW, OPTIMISED, Builder, kernels_of
 from tests.executor.test_certificate import _squares
 from tests.long_doubles import LongDoubles
 from tests.models import serial_chain
@@ -87,6 +87,7 @@ def test_loops_tell_the_bound_of_the_executor(joints: int, quick: Toolchain) -> 
 @pytest.mark.parametrize(
     ("compiler", "flags"),
     [
+        ("g++", HALVED),
         slow("g++", OPTIMISED),
         slow("g++", NARROW),
         slow("clang++", OPTIMISED),

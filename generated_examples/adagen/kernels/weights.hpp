@@ -21,9 +21,4 @@ struct Reached {
   T turning, sliding;
 };
 
-template <class T>
-ADAGEN_INLINE T larger(const T& x, const T& y) {
-  return x > y ? x : y;
-}
-
 }  // namespace

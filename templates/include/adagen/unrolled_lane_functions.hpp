@@ -27,7 +27,7 @@ ADAGEN_INLINE Lanes in_each_lane(const Lanes& x, const F& f) {
 [[maybe_unused]] inline Lanes tanh_of(const Lanes& x) {
   return in_each_lane(x, [](Real y) { return tanh_of(y); });
 }
-[[maybe_unused]] inline Lanes max_of(const Lanes& x, const Lanes& y) { return x > y ? x : y; }
+[[maybe_unused]] inline Lanes max_of(const Lanes& x, const Lanes& y) { return larger(x, y); }
 [[maybe_unused]] inline Lanes max_of(const Lanes& x, Real y) { return max_of(x, Lanes{} + y); }
 [[maybe_unused]] inline Lanes max_of(Real x, const Lanes& y) { return max_of(Lanes{} + x, y); }
 

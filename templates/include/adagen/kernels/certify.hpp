@@ -117,7 +117,8 @@ ADAGEN_INLINE T trace_of(const T* factors) {
 template <class T>
 ADAGEN_INLINE T seen_by(const T* factors, const T& trace, const T& part) {
   const T known = 1 - Real(kUnit) * trace * trace_of_inverse(factors);
-  return known > T{} ? part / known : part + std::numeric_limits<Real>::infinity();
+  const T unknown = part + std::numeric_limits<Real>::infinity();
+  return chosen(known > T{}, T(part / known), unknown);
 }
 
 // What was seen of the error at some joints, and what rounding may be.
