@@ -21,8 +21,8 @@ SPOILT = {
     ),
     "a torque is taken for its opposite": (
         "arm7_p1",
-        r"const Real tau = torque\(w, j\);",
-        "const Real tau = -torque(w, j);",
+        r"Value tau = w\.tau\[",
+        "Value tau = -w.tau[",
     ),
     "a velocity product is left out": (
         "arm7_p1",
