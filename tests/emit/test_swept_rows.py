@@ -135,7 +135,7 @@ def test_a_state_that_is_not_finite_leaves_nothing_behind(quick: Toolchain) -> N
     ("compiler", "flags"),
     [
         slow("g++", OPTIMISED),
-        slow("g++", NARROW),
+        ("g++", NARROW),
         slow("clang++", OPTIMISED),
         slow("clang++", NARROW),
     ],

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -118,8 +117,7 @@ ADAGEN_INLINE const SweptPass<kWidth<T>>* hand_on(Real* const memory,
   for (bool more = true; more; ++pass) {
     more = pass->more;
     const T counts = load<T>(pass->counts.data());
-    BitsOf<T> from;
-    std::memcpy(&from, pass->from.data(), sizeof from);
+    const auto from = from_memory<BitsOf<T>>(pass->from.data());
     ADAGEN_FOR (k, 0, gathered) sum[k] += counts * moved(out[k], from);
   }
   ADAGEN_FOR (k, 0, gathered) put(sum[k], near + k * kWidth<T>);
@@ -180,8 +178,8 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
   T free = moment[2], square = squares[2];
   if (slides) {
     const auto sliding = known(Constant::kSlides) > Real(0);
-    free = sliding ? force[2] : free;
-    square = sliding ? squares[3] : square;
+    free = chosen(sliding, force[2], free);
+    square = chosen(sliding, squares[3], square);
   }
   const T driven = torque - free;
   sums.seen += driven * driven * inverse;
@@ -190,8 +188,8 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
   if constexpr (Kinds::rotors) passed -= known(Constant::kRotor) * inverse * driven;
   if constexpr (closed) {
     const auto holds = known(Constant::kHolds) > Real(0);
-    passed = holds ? free : passed;
-    along = holds ? square : along;
+    passed = chosen(holds, free, passed);
+    along = chosen(holds, square, along);
     put(free, own + Number::kMoment * W);
     put(square, own + Number::kSquare * W);
   }
@@ -224,9 +222,9 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
   if (slides) {
     const auto sliding = known(Constant::kSlides) > Real(0);
     const T across_slides = moment[2] + other;
-    moment[2] = sliding ? across_slides : passed;
-    force[2] = sliding ? passed : T(force[2] + other);
-    along = sliding ? squares[2] : along;
+    moment[2] = chosen(sliding, across_slides, passed);
+    force[2] = chosen(sliding, passed, T(force[2] + other));
+    along = chosen(sliding, squares[2], along);
     ADAGEN_FOR (k, 0, 3) {
       origin[k] += turn[k][2] * number(Number::kShift);
       about[k] = larger(T(squares[0] * known(Constant::kAcross + k)),
