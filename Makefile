@@ -27,7 +27,7 @@ endif
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test test-all lint format golden paper bench charts docs clean
+.PHONY: help setup demo test test-all test-narrow lint format golden paper bench charts docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -54,6 +54,9 @@ test: setup lint ## lint and run the test suite
 
 test-all: setup lint ## the same with the slow tests
 	$(PYTEST) -m 'slow or not slow' $(ARGS)
+
+test-narrow: setup ## what is emitted, built for registers of 256 and of 128 bits
+	for march in x86-64-v3 x86-64-v2; do MARCH=$$march $(PYTEST) tests/emit tests/runtime $(ARGS) || exit; done
 
 lint: setup ## ruff, mypy, clang-format
 	$(BIN)/ruff check .

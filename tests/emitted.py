@@ -34,7 +34,9 @@ from adagen.search import find_schedule, named_schedule
 from adagen.states import States, read_result, write_states
 
 Array = NDArray[np.float64]
-QUICK = ("-O1", "-march=native", "-DNDEBUG", "-fno-math-errno")
+MARCH = os.environ.get("MARCH", "native")
+"""What solvers of tests are built for: with MARCH=x86-64-v3 as on a processor with AVX2 alone."""
+QUICK = ("-O1", f"-march={MARCH}", "-DNDEBUG", "-fno-math-errno")
 EXACT = (*QUICK, "-ffp-contract=off")  # each operation of the text is one of the processor
 OPTIMISED = ("-O3", *QUICK[1:])
 NARROW = ("-O1", "-march=x86-64-v2", *QUICK[2:])  # registers of two doubles
