@@ -26,7 +26,6 @@ from adagen.plan.robot import slaved_joint
 from adagen.plan.steps import Join
 from adagen.program import Program
 from adagen.schedule import CostProfile, step_costs, with_steps
-from adagen.schedule.caches import EIGHT_NUMBERS
 
 
 @dataclass(frozen=True)
@@ -194,8 +193,8 @@ def offered(plan: Plan, profile: CostProfile | None = None) -> tuple[str, ...]:
         return loops
     if plan.form == "ada" and plan.several:
         return loops
-    wide = step_costs(profile)["process.register"] >= EIGHT_NUMBERS
-    if plan.nv > (MOST_FREEDOMS if wide else MOST_FREEDOMS_IN_NARROW_REGISTERS):
+    narrow = step_costs(profile).narrow
+    if plan.nv > (MOST_FREEDOMS_IN_NARROW_REGISTERS if narrow else MOST_FREEDOMS):
         return loops
     return ("unrolled",) if balls_lose(plan) else (*loops, "unrolled")
 

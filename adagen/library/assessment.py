@@ -65,7 +65,7 @@ def shape_of(plan: Plan, request: Request) -> str:
     """Return the shape of a request, "auto" for the fastest."""
     if request.batch or request.refinement:
         return request.shape
-    return suited_shape(request.objective, plan, request.shape)
+    return suited_shape(request.objective, plan, request.shape, load_profile(request.profile))
 
 
 def assessed(model: Model, schedule: Schedule, request: Request) -> Assessed:
@@ -82,7 +82,7 @@ def assessed(model: Model, schedule: Schedule, request: Request) -> Assessed:
         reproducible=request.reproducible,
     )
     profile = load_profile(request.profile)
-    shape = suited_shape(request.objective, plan, request.priced_shape)
+    shape = suited_shape(request.objective, plan, request.priced_shape, profile)
     program = priced_program(plan, shape, profile)
     try:
         digits = predicted_digits(request.objective, model, plan, program.shape)

@@ -13,9 +13,6 @@ _SWEPT_WHOLE = 1400
 _IN_LANES = 7000
 _STRAIGHT = 512
 
-EIGHT_NUMBERS = 64
-"""Bytes of the numbers that loops compute with."""
-
 
 def swept_whole(costs: StepCosts) -> int:
     """Return the joints up to which a run is swept as a whole, longer ones by tiles.
@@ -34,5 +31,4 @@ def solved_in_lanes(joints: int, costs: StepCosts) -> bool:
     for each joint. Four states of 256 bits are the faster ones at any length: 23 us for each 1000
     joints, up to 5000, where the parts of a state take 42 (AMD EPYC, Zen 4, 1 MB, AVX2).
     """
-    narrow = costs["process.register"] < EIGHT_NUMBERS
-    return narrow or joints <= max(_STRAIGHT, costs["process.cache"] // _IN_LANES)
+    return costs.narrow or joints <= max(_STRAIGHT, costs["process.cache"] // _IN_LANES)

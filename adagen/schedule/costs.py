@@ -173,6 +173,11 @@ class StepCosts:
         """Return a coefficient."""
         return self.table[name]
 
+    @property
+    def narrow(self) -> bool:
+        """Whether no register holds the eight numbers that loops compute with."""
+        return self["process.register"] < 64
+
     def total(self, counts: Mapping[str, float]) -> float:
         """Return the time of something by how often each coefficient counts, microseconds."""
         return sum(self.table[name] * count for name, count in counts.items())

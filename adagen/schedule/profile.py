@@ -16,7 +16,6 @@ from importlib import resources
 from pathlib import Path
 
 from adagen.errors import InputError, UsageError
-from adagen.schedule.caches import EIGHT_NUMBERS
 from adagen.schedule.costs import StepCosts, read_steps
 from adagen.tomlfile import parse_toml
 
@@ -162,7 +161,8 @@ def profile_text(name: str) -> tuple[str, str]:
 
 def shipped_for(register: int) -> str:
     """Return the shipped profile that was measured with registers of so many bytes, or nearest."""
-    return "default" if register >= EIGHT_NUMBERS else "avx2"
+    wide = load_profile("default").measured["process.register"]
+    return "default" if register >= wide else "avx2"
 
 
 def with_steps(profile: CostProfile | None) -> CostProfile:

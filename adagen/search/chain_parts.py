@@ -18,7 +18,7 @@ from adagen.plan.steps import Join
 from adagen.schedule import Schedule
 
 MOST_JOINTS = 3000
-"""Joints of a process that may be in parts: how many digits that keeps takes 6 ms for each to find.
+"""Joints of a chain that may be in parts: how many digits that keeps takes 6 ms for each to find.
 
 Parts stay the faster way in caches beyond the second level, too (docs/records/chains.md).
 """

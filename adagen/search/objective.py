@@ -196,13 +196,16 @@ def _carried_out(plan: Plan, shape: str) -> Trial:
     return replace(found, error=found.error * more)
 
 
-def suited_shape(objective: str, plan: Plan, shape: str = "auto") -> str:
+def suited_shape(
+    objective: str, plan: Plan, shape: str = "auto", profile: CostProfile | None = None
+) -> str:
     """Return the shape that suits an objective: for accuracy the one that loses clearly less.
 
     Args:
         objective: one of ``OBJECTIVES``.
         plan: what each process computes.
         shape: what is asked for; "auto" leaves it open.
+        profile: by which "auto" chooses; the shipped one if not given.
 
     Returns:
         A shape, or "auto" where the fastest one is as good as any: its error is at most twice as
@@ -212,7 +215,7 @@ def suited_shape(objective: str, plan: Plan, shape: str = "auto") -> str:
         return shape
     errors = {
         name: tried(plan, joints_in_own_axes(plan) if name == "kernels" else None).error
-        for name in offered(plan)
+        for name in offered(plan, profile)
     }
     fine = [name for name, error in errors.items() if error <= _ALIKE * min(errors.values())]
     return fine[0] if len(fine) == 1 else shape

@@ -9,6 +9,7 @@ import pytest
 
 from adagen.build import find_toolchain
 from adagen.build.registers import widest_register
+from adagen.errors import EnvironmentFault
 from adagen.schedule import load_profile
 from adagen.schedule.profile import shipped_for
 
@@ -22,3 +23,8 @@ def test_the_widest_registers_are_those_that_are_built_for(option: str, width: i
     assert widest_register(find_toolchain({**os.environ, "CXXFLAGS": option})) == width
     name = shipped_for(width)
     assert load_profile(name).measured["process.register"] == (64 if width == 64 else 32)
+
+
+def test_options_that_the_compiler_refuses_are_said() -> None:
+    with pytest.raises(EnvironmentFault, match=r"refuses its options: .*no-such-option"):
+        widest_register(find_toolchain({**os.environ, "CXXFLAGS": "--no-such-option"}))

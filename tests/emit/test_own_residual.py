@@ -74,16 +74,12 @@ def test_ordinary_robots_keep_their_digits(
 
 
 def test_passive_torques_are_part_of_the_residual(builder: Builder, tmp_path: Path) -> None:
-    """Damping, friction, springs and rotors of a robot that loses digits.
-
-    Errors of all states count: the largest is of one state, by what its last digits happen to be.
-    """
+    """Damping, friction, springs and rotors of a robot that loses digits."""
     model = damped(robots(len(FAMILIES), seed=2)[NAMES.index("graded")])
-    states = hard_states(model, 20, seed=2)
+    states = hard_states(model, 40, seed=2)
     plain, _ = _errors(model, states, builder, tmp_path)
     refined, _ = _errors(model, states, builder, tmp_path, refine=1)
-    assert refined.max() < min(plain.max(), 2e-14)
-    assert refined.sum() < plain.sum() / 3
+    assert refined.max() < min(plain.max() / 10, 2e-14)
 
 
 def test_only_loops_of_one_process_have_residuals_of_their_own() -> None:

@@ -232,6 +232,13 @@ def test_accuracy_takes_the_shape_that_loses_less() -> None:
     assert suited_shape("both", plan) == suited_shape("time", plan) == "auto"
 
 
+def test_accuracy_compares_the_shapes_that_the_profile_offers() -> None:
+    """Straight lines of 140 joints are for registers of 256 bits."""
+    plan = plan_of(serial_chain(140), 1)
+    assert suited_shape("accuracy", plan, profile=load_profile("xeon")) == "kernels"
+    assert suited_shape("accuracy", plan, profile=load_profile("avx2")) != "kernels"
+
+
 def test_accuracy_takes_the_fastest_of_shapes_that_lose_alike() -> None:
     assert suited_shape("accuracy", plan_of(robots.rods(4), 1)) == "auto"
 

@@ -53,11 +53,6 @@ ADAGEN_INLINE bool all_positive(const T& x) {
   return !any_of(~(x > T{}));
 }
 
-// One number or the other, lane by lane.
-ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
-  return same_bits<Lanes>((same_bits<LaneBits>(x) & first) | (same_bits<LaneBits>(y) & ~first));
-}
-
 ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
 ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
 
