@@ -9,6 +9,7 @@ loops are carried out by the executor in a few states.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -79,11 +80,11 @@ def tried(plan: Plan, own_axes: OwnAxes | None) -> Trial:
             others in base axes; None: every body is in its link's axes.
     """
     states, times = _states(plan), TIMES[_how_many(plan)]
-    shares, errors, _ = _lost(plan, own_axes, states)
-    count, hardest = len(errors), np.argsort(errors)[-HARDEST:]
-    again, repeated, _ = _lost(plan, own_axes, _rounded_anew(states, hardest, times))
-    shares, errors = np.vstack([shares, again]), np.hstack([errors, repeated])
-    anew = count + np.arange(len(repeated)).reshape(len(hardest), times)
+    count = len(states[0])
+    shares, errors, _, hardest = _lost_again(
+        plan, own_axes, states, HARDEST, lambda which: _rounded_anew(states, which, times)
+    )
+    anew = np.arange(count, len(errors)).reshape(len(hardest), times)
     roundings = np.hstack([hardest[:, None], anew])
     candidates = np.hstack(
         [
@@ -111,21 +112,22 @@ def tried_hard(plan: Plan, own_axes: OwnAxes | None) -> Trial:
     own, _ = _MORE[plan.scalar]
     hard = hardened(*drawn, hinges, np.random.default_rng(2))
     q, v, tau = (x.astype(own).astype(np.float64) for x in hard)  # as the solver reads them
-    shares, errors, refused = _lost(plan, own_axes, (q, v, tau))
-    errors = np.where(refused, 0, errors)
+
+    def beside(which: Array) -> States:
+        repeated = np.repeat(which, HARD_TIMES)
+        near = _beside(q[repeated], hinges).astype(own).astype(np.float64)
+        return near, v[repeated], tau[repeated]
+
     most = max(1, min(HARDEST, count // HARDEST))
-    hardest = np.argsort(errors)[-most:]
-    repeated = np.repeat(hardest, HARD_TIMES)
-    beside = _beside(q[repeated], hinges).astype(own).astype(np.float64)
-    again, more, too = _lost(plan, own_axes, (beside, v[repeated], tau[repeated]))
-    weights = np.ones(count)
-    weights[hardest] = 1 / (1 + HARD_TIMES)
-    weights = np.hstack([weights, np.full(len(repeated), 1 / (1 + HARD_TIMES))])
-    errors = np.hstack([errors, np.where(too, 0, more)])
+    found = _lost_again(plan, own_axes, (q, v, tau), most, beside, answered=True)
+    shares, errors, refused, hardest = found
+    errors = np.where(refused, 0, errors)
+    weights = np.ones(len(errors))
+    weights[hardest] = weights[count:] = 1 / (1 + HARD_TIMES)
     place = _place(errors, weights, OFTEN * count / AS_MANY)
-    found = _found(np.vstack([shares, again]), errors, place)
+    trial = _found(shares, errors, place)
     beyond = BEYOND_LINES if own_axes is None else BEYOND_LOOPS
-    return replace(found, error=found.error * beyond)
+    return replace(trial, error=trial.error * beyond)
 
 
 def _reached(errors: Array, roundings: Array) -> int:
@@ -167,13 +169,22 @@ def carried_out(plan: Plan) -> Trial:
     Raises:
         FloatingPointError: a factorization fails; the message names the joint.
     """
-    own, more = _MORE[plan.scalar]
-    algebra = FLOAT if own is np.float32 else DOUBLE
+    algebra = FLOAT if plan.scalar == "float" else DOUBLE
     states = q, v, tau = _states(plan)
     tau[:, plan.nv :] = 0
-    free = [replace(each, damping=0.0, friction=0.0, stiffness=0.0) for each in plan.joints]
-    bare = replace(plan, joints=tuple(free))
-    found = interpret(bare, q.T, v.T, tau.T, algebra)[: plan.nv].T
+    found = interpret(plan.without_passive_torques(), q.T, v.T, tau.T, algebra)[: plan.nv].T
+    return loss_of(plan, states, found)
+
+
+def loss_of(plan: Plan, states: States, found: Array) -> Trial:
+    """Return the loss of a plan's answers without passive torques and outer forces.
+
+    Args:
+        plan: of a robot without closed loops or slaved joints.
+        states: q, v and tau, one state in each row.
+        found: accelerations, shape (S, nv).
+    """
+    more = _MORE[plan.scalar][1]
     truth = accelerations(plan, *states)
     shares, errors = _off(plan, states, np.asarray(found, more), truth)
     return _found(shares, errors, int(np.argmax(errors)))
@@ -202,6 +213,40 @@ def _lost(
         found, refused = _swept(plan, own, own_axes, states)
         refused |= ~np.isfinite(found).all(axis=1)
         return *_off(plan, states, found.astype(more), truth), refused
+
+
+def _lost_again(
+    plan: Plan,
+    own_axes: OwnAxes | None,
+    states: States,
+    most: int,
+    anew: Callable[[Array], States],
+    answered: bool = False,
+) -> tuple[Array, Array, NDArray[np.bool_], Array]:
+    """What is lost in states, and after that in others like those that lose most.
+
+    Args:
+        plan: as of ``tried``.
+        own_axes: as of ``tried``.
+        states: the first ones.
+        most: how many of them lose most.
+        anew: returns others like those with some indices.
+        answered: whether refused states are none of these.
+
+    Returns:
+        As of ``_lost``, and the indices of the states that lose most. One pass is enough where
+        these are all.
+    """
+    count = len(states[0])
+    if most >= count:
+        every = np.arange(count)
+        both = [np.concatenate(pair) for pair in zip(states, anew(every), strict=True)]
+        return *_lost(plan, own_axes, (both[0], both[1], both[2])), every
+    first = shares, errors, refused = _lost(plan, own_axes, states)
+    hardest = np.argsort(np.where(refused & answered, 0, errors))[-most:]
+    again = _lost(plan, own_axes, anew(hardest))
+    shares, errors, refused = (np.concatenate(pair) for pair in zip(first, again, strict=True))
+    return shares, errors, refused, hardest
 
 
 def _rounded_anew(states: States, which: Array, times: int) -> States:

@@ -14,25 +14,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.graph.expressions import Expression
+from adagen.graph.numbers import Number, summed
 
 Array = NDArray[Any]
 
 
 def total(terms: Iterable[Expression]) -> Expression:
-    """Return the sum of at least one term."""
-    found = list(terms)
-    if len(found) > 1 and type(found[0]) is Expression:  # numbers are all there at once
+    """Return the sum of at least one term, which may be numbers instead (numbers.py)."""
+    found: list[Any] = list(terms)
+    if type(found[0]) is Number:
+        return summed(found)  # type: ignore[return-value]  # all are there at once
+    if len(found) > 1 and type(found[0]) is Expression:
         nodes = found[0].graph.nodes
         found.sort(key=lambda term: nodes[term.index].ready)
-    first, *others = found
-    for term in others:
+    first: Expression = found[0]
+    for term in found[1:]:
         first = first + term
     return first
 
 
 def dot(u: Sequence[Expression] | Array, v: Sequence[Expression] | Array) -> Expression:
     """Return the inner product of two vectors of one length, which is not 0."""
-    return total(a * b for a, b in zip(u, v, strict=True))
+    return total([a * b for a, b in zip(u, v, strict=True)])
 
 
 def cross(u: Array, v: Array) -> Array:

@@ -8,7 +8,7 @@ states are an array, with the same bits: six states take twice the time of one.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
@@ -73,6 +73,15 @@ class Number:
         return Number(self.x * other.x, self.known and other.known)
 
     __rmul__ = __mul__
+
+
+def summed(terms: Sequence[Number]) -> Number:
+    """Return the sum of at least one number, added from the left."""
+    x, known = terms[0].x, terms[0].known
+    for term in terms[1:]:
+        x = x + term.x
+        known = known and term.known
+    return Number(x, known)
 
 
 class Numbers:

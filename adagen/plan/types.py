@@ -259,6 +259,11 @@ class Plan:
         )
         return replace(self, processes=tuple(processes), line=())
 
+    def without_passive_torques(self) -> Plan:
+        """Return the plan without damping, friction and springs: factors are the same."""
+        free = (replace(j, damping=0.0, friction=0.0, stiffness=0.0) for j in self.joints)
+        return replace(self, joints=tuple(free))
+
     def held_back(self) -> Plan:
         """Return the plan in which closures carry no rows, where there is one; else this one."""
         carries = any(self.steps_of(do.CarryRows))

@@ -16,7 +16,7 @@ import numpy as np
 
 from adagen.emit.shapes import offered
 from adagen.errors import UsageError
-from adagen.executor.join_digits import Growth, predicted_growth
+from adagen.executor.join_digits import Growth, growth_and_loss, predicted_growth
 from adagen.executor.refine import interpret_refined
 from adagen.executor.trial import MANY, Trial, carried_out, tried, tried_closed, tried_hard
 from adagen.model import Model
@@ -25,6 +25,7 @@ from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.plan.digits import EPSILON, generic_configuration
 from adagen.plan.own_axes import joints_in_own_axes
+from adagen.plan.steps import Join
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.tree import Named
 from adagen.search.best import best_schedule
@@ -163,13 +164,14 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
         error = min(1.0, max(trial.error, EPSILON[plan.scalar]))
         worst = model.joints[trial.joint].name
         return Digits(objective, error, 1.0, None, worst, None, worst)
-    growth = predicted_growth(plan)
+    shared = sum(bool(process.owns) for process in plan.processes) > 1
+    growth, lost = _joins(plan, shared)
     joined = growth.largest > 1.0
     name = model.joints[growth.joint].name if joined else None
     trial = Trial(growth.error, growth.joint)
-    shared = sum(bool(process.owns) for process in plan.processes) > 1
     if joined or shared or plan.form != "segment":  # mobilities are joined, or hold the ground
-        trial = Trial(max(trial.error, _tried(plan) * _WORSE), growth.joint)
+        lost = _tried(plan) if lost is None else lost
+        trial = Trial(max(trial.error, lost * _WORSE), growth.joint)
         trial = max(trial, _carried_out(plan, shape), key=lambda each: each.error)
     hard = None
     if plan.form == "segment":
@@ -180,6 +182,12 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
     more = None if hard is None else min(1.0, hard.error)
     error = min(1.0, trial.error)
     return Digits(objective, error, growth.largest, name, worst, more, hardest)
+
+
+def _joins(plan: Plan, shared: bool) -> tuple[Growth, float | None]:
+    """The growth of a plan's joins, and for long plans what is lost in a generic state, too."""
+    long = len(plan.joints) >= _TRIED and (shared or any(plan.steps_of(Join)))
+    return (growth_and_loss(plan) if long else None) or (predicted_growth(plan), None)
 
 
 def _carried_out(plan: Plan, shape: str) -> Trial:

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from adagen.executor import interpret
-from adagen.executor.join_digits import predicted_growth
+from adagen.executor.join_digits import growth_and_loss, predicted_growth
+from adagen.executor.refine import interpret_refined
+from adagen.model import Passive
 from adagen.plan import make_plan
+from adagen.plan.digits import EPSILON, generic_configuration
+from adagen.plan.steps import Join
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
+from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.states import random_states
 from tests.links import with_light_link
 from tests.models import human_figure, serial_chain
+from tests.plan.test_parts import hinges
 from tests.schedules import random_schedule
 
 
@@ -43,3 +52,25 @@ def test_float_is_told_apart() -> None:
     double = predicted_growth(make_plan(model, schedule, form="ada"))
     single = predicted_growth(make_plan(model, schedule, form="ada", scalar="float"))
     assert single.error == pytest.approx(double.error * 2.0**29)
+
+
+@pytest.mark.parametrize(("parts", "processes"), [(8, 1), (0, 2)])
+def test_one_run_tells_of_long_chains_what_growth_and_refinement_tell(
+    parts: int, processes: int
+) -> None:
+    model = hinges(60, seed=2)
+    held = Passive(stiffness=2.0, damping=0.1, friction=0.1)
+    sprung = replace(model, joints=tuple(replace(j, passive=held) for j in model.joints))
+    schedule = replace(best_schedule(model, processes, load_profile("default")), parts=parts)
+    for scalar in ("double", "float"):
+        plan = make_plan(model, schedule, scalar=scalar)
+        found = growth_and_loss(plan)
+        assert found is not None
+        growth, loss = found
+        assert any(plan.steps_of(Join)) == bool(parts) == (growth.largest > 1.0)
+        assert growth.error == pytest.approx(predicted_growth(plan).error, rel=0.5)
+        q = generic_configuration(plan.joints, 1)
+        v, tau = (np.sin(step * np.arange(1, plan.nv + 1)) for step in (2.3, 3.1))
+        (size,) = interpret_refined(plan, q, v, tau, steps=1).corrections
+        assert loss == pytest.approx(size * EPSILON[scalar] / EPSILON["double"], rel=0.2)
+        assert growth_and_loss(make_plan(sprung, schedule, scalar=scalar)) == found
