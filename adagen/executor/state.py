@@ -119,10 +119,11 @@ class State(ProcessMemory):
                 to nothing: the square of the sine of an angle, whose last digits nobody knows.
         """
         factors, lost = factorize(matrix), 16 * EPSILON[self.plan.scalar]
-        none = self.graph.constant(0) if brought is None else brought * lost**2
+        zero = self.graph.constant(0)
+        noise = zero if brought is None else brought * lost**2
         for pivot, entry in zip(factors.pivots, factors.diagonal, strict=True):
-            least = none if pivot == entry else entry * lost
-            self.checks.append(Check(pivot, least, joint))
+            unchanged = noise if pivot.constant is None else zero  # constants are no noise
+            self.checks.append(Check(pivot, unchanged if pivot == entry else entry * lost, joint))
         return factors
 
     # -- joints -----------------------------------------------------------------------------------

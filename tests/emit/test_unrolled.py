@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +18,7 @@ from adagen.schedule import load_profile
 from adagen.states import random_states, write_states
 from tests.emit.unusual import CASES, chain_with_thin_link, require_solved
 from tests.emitted import ROUNDING, Builder, Solver, plan_of, text_of
+from tests.links import with_light_link
 from tests.mechanisms import four_bar, quadruped
 from tests.models import human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
@@ -218,3 +221,15 @@ def test_lines_are_longer_where_registers_are_narrower(profile: str, joints: int
     costs = load_profile(profile)
     assert offered(plan_of(serial_chain(joints), 1), costs) == ("kernels", "unrolled")
     assert offered(plan_of(serial_chain(joints + 1), 1), costs) == ("kernels",)
+
+
+@pytest.mark.parametrize("light", [4, 5])
+def test_what_is_computed_is_used_where_light_links_turn_about_one_axis(light: int) -> None:
+    model = with_light_link(serial_chain(8), light, 1e-5)
+    joints = list(model.joints)
+    for j in (4, 5):  # what is beyond both has no part in the inertia about their axis
+        joints[j] = replace(joints[j], axis=np.array([0.0, 0.0, 1.0]), rotation=np.eye(3))
+    joints[5] = replace(joints[5], translation=np.zeros(3))
+    text = text_of(plan_of(replace(model, joints=tuple(joints)), 1), shape="unrolled", batch=4)
+    uses = Counter(re.findall(r"\bx\d+\b", text))
+    assert all(uses[name] > 1 for name in re.findall(r"const \w+ (x\d+) =", text))
