@@ -21,7 +21,7 @@ from adagen.plan.turns import by_turns
 from adagen.plan.types import Plan
 from adagen.program.effects import Effects, Place, added_by, contents, effects, joined_runs
 from adagen.program.message_reuse import overwritten
-from adagen.program.names import PREPARES
+from adagen.program.names import PASSING, PREPARES
 from adagen.program.runs import Run, ends_of_run, parts_in
 from adagen.program.types import Links, Operation, Program
 
@@ -118,8 +118,18 @@ class _Memory:
                     self._send(step.message, mail)
                 case _:
                     self._apply(effects(self.plan, self.p, step, self.runs))
+        self._forget(operation)
         self._leave(operation)
         return True
+
+    def _forget(self, operation: Operation) -> None:
+        """Joints that are passed on the way to others leave nothing but their last link's frame."""
+        if operation.does == PASSING and isinstance(operation.block, Run):
+            run = operation.block
+            for j in run.joints():
+                del self.read["transform", j]
+                if j < run.last:
+                    del self.read["velocity", j + 1]
 
     def finish(self) -> None:
         """Check that all accelerations are there."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby
@@ -79,17 +79,21 @@ def outward_units(
     """
     sweep = {j: ends_of(joints, j) for j in passed if not is_base(joints[j])}
     later = frozenset(treated)
+    left = {joints[j].parent for j in sweep if joints[j].parent != j}
     for part in parts_of(outward_order(sweep, limbs)):
         if isinstance(part, Limbs):
             yield part
         else:
-            yield from _outward_runs(joints, part, later)
+            yield from _outward_runs(joints, part, later, left)
 
 
 def _outward_runs(
-    joints: Sequence[PlanJoint], passed: list[int], treated: frozenset[int]
+    joints: Sequence[PlanJoint],
+    passed: list[int],
+    treated: frozenset[int],
+    left: Set[int],
 ) -> Iterator[Outward]:
-    left = {joints[j].parent for j in passed if joints[j].parent != j}
+    """Runs of joints, which end at links that others leave: others of a run are not kept."""
     for run in runs(joints, passed):
         first = run.first
         for j in range(run.first, run.last + 1):

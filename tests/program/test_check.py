@@ -13,15 +13,17 @@ from adagen.calibrate.schedules import random_schedule
 from adagen.cost import programmed
 from adagen.emit.shapes import SHAPES
 from adagen.errors import UsageError
+from adagen.model import REVOLUTE
 from adagen.plan import Plan, make_plan
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Receive, Send
 from adagen.program import Operation, Program, ProgramError, check, lower
-from adagen.program.runs import Run
+from adagen.program.names import PASSING
+from adagen.program.runs import Run, outward_units
 from adagen.schedule import Topology, load_profile
 from adagen.search import best_schedule, named_schedule
 from adagen.studies.stability.robots import rods
-from tests.models import human_figure, random_tree, serial_chain
+from tests.models import Part, assemble, human_figure, random_tree, rod, serial_chain
 from tests.slow import spread
 
 PROFILE = load_profile("default")
@@ -210,3 +212,38 @@ def test_what_is_done_instead_keeps_inertias_where_the_program_does() -> None:
     plan = make_plan(model, schedule, meeting="gather")
     assert plan.recovers
     check(lower(plan, "kernels"))
+
+
+def test_links_of_joints_that_are_passed_are_not_kept() -> None:
+    model = serial_chain(12)
+    schedule = random_schedule(Topology.of(model), 2, PROFILE, 5)
+    program = programmed(make_plan(model, schedule, meeting="join"), "kernels")
+
+    def passed(operations: list[Operation]) -> list[Operation]:
+        return [
+            replace(each, does=PASSING) if each.does == "kinematics" else each
+            for each in operations
+        ]
+
+    check(program)
+    with pytest.raises(ProgramError, match="is read before it is set"):
+        check(spoilt(program, passed))
+
+
+def test_links_that_others_leave_are_kept_whatever_is_computed_between() -> None:
+    """Fingers side by side lie between the passage to them and an arm on a link inside it."""
+    body = rod(1.0, np.array([0.0, 0.0, 0.1]))
+    chains = {"t": (6, None), "u": (2, "t5"), "v": (2, "t5"), "w": (3, "t2")}
+    parts = [
+        Part(f"{name}{k}", f"{name}{k - 1}" if k else on, REVOLUTE, body)
+        for name, (length, on) in chains.items()
+        for k in range(length)
+    ]
+    model = assemble("hand", parts)
+    joints = make_plan(model, best_schedule(model, 1, PROFILE)).joints
+    assert [joint.name for joint in joints] == [part.name for part in parts]
+    limbs = Limbs(((6, 8), (7, 9)))
+    units = list(outward_units(joints, range(13), [limbs], range(6, 13)))
+    kept = [unit.run.last for unit in units if not isinstance(unit, Limbs)]
+    assert units.index(limbs) < len(units) - 1
+    assert {2, 5} <= set(kept)
