@@ -23,9 +23,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from adagen.errors import AdagenError
-from adagen.library import read
 from benchmarks.real_robots import DATA, FIXED, FLOATING
-from tests.options import COMPANIONS, FLAGS, OPTIONS, SCENES
+from tests.options import COMPANIONS, OPTIONS, names_of, typed
 
 LIMIT = 400.0
 """Seconds that a command may take."""
@@ -101,23 +100,12 @@ def words(draw: random.Random, robot: Path, folder: Path) -> list[str]:
     Raises:
         AdagenError: the robot cannot be read.
     """
-    model = read(robot).model
-    joints = [joint.name for joint in model.joints]
-    named = {"first": joints[0], "last": joints[-1], "link": model.links[-1].name}
     case: dict[str, str] = {}
     offered = sorted(set(OPTIONS) - {"--target"})  # what is embedded has no program to check
     for option in draw.sample(offered, draw.randint(1, 5)):
         value = draw.choice(OPTIONS[option][1:])
         case |= {**COMPANIONS.get((option, value), {}), option: value}
-    found = [str(robot)]
-    for option, value in case.items():
-        if option == "--scene":
-            file = folder / "scene.toml"
-            file.write_text(SCENES[value].format(**named))
-            found += [option, str(file)]
-        elif value:
-            found += [option] if option in FLAGS else [option, value.format(**named)]
-    return found
+    return typed(robot, names_of(robot), case, folder)
 
 
 def outcome(case: list[str], folder: Path) -> tuple[str, str]:

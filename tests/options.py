@@ -130,25 +130,46 @@ def path_of(robot: str) -> Path:
 
 @cache
 def _names(robot: str) -> dict[str, str]:
-    model = adagen.read(path_of(robot)).model
+    return names_of(path_of(robot))
+
+
+def names_of(robot: Path) -> dict[str, str]:
+    """Return the names that values of options ask for, of the robot in a file."""
+    model = adagen.read(robot).model
     joints = [joint.name for joint in model.joints]
     return {"first": joints[0], "last": joints[-1], "link": model.links[-1].name}
 
 
 def words_of(case: Case, folder: Path, *, emitted: bool = True) -> list[str]:
     """Return the words of the command line; a scene is written into the folder."""
-    robot, words, scene = case["robot"], [str(path_of(case["robot"]))], ""
+    robot = case["robot"]
+    known = {name: x for name, x in case.items() if emitted or name not in EMITTED}
+    closed = (EXAMPLES / f"{robot}.toml").read_text() if robot == CLOSED else ""
+    return typed(path_of(robot), _names(robot), known, folder, closed)
+
+
+def typed(
+    robot: Path, names: Mapping[str, str], case: Case, folder: Path, scene: str = ""
+) -> list[str]:
+    """Return a robot and options as they are typed; the folder has the scene, if there is one.
+
+    Args:
+        robot: its file.
+        names: of its first and last joint and its last link, which values may ask for.
+        case: values of options.
+        folder: where a scene is written.
+        scene: what stands in it at the end.
+    """
+    words = [str(robot)]
     for name, value in case.items():
-        if name == "robot" or value == "" or (name in EMITTED and not emitted):
+        if name == "robot" or value == "":
             continue
         if name == "--scene":
-            scene = SCENES[value].format(**_names(robot))
+            scene = SCENES[value].format(**names) + scene
         else:
-            words += [name] if name in FLAGS else [name, value.format(**_names(robot))]
-    if robot == CLOSED:
-        scene += (EXAMPLES / f"{robot}.toml").read_text()
+            words += [name] if name in FLAGS else [name, value.format(**names)]
     if scene:
-        file = folder / f"{robot}.toml"
+        file = folder / f"{robot.stem}.toml"
         file.write_text(scene)
         words += ["--scene", str(file)]
     return words
