@@ -21,7 +21,7 @@ from adagen.executor.trial_sweep import Sweep
 from adagen.model import Inertia
 from adagen.plan.clusters import is_solid
 from adagen.plan.constants import inverse_inertia
-from adagen.plan.digits import EPSILON, generic_configuration, lost_mobility
+from adagen.plan.digits import EPSILON, generic_configuration, generic_motion, lost_mobility
 from adagen.plan.placement import configuration, joint_transform
 from adagen.plan.steps import Join
 from adagen.plan.types import Plan
@@ -88,7 +88,7 @@ def growth_and_loss(plan: Plan) -> tuple[Growth, float] | None:
     if plan.form != "segment" or plan.closed or plan.wanted or slaved:
         return None
     q = generic_configuration(plan.joints, 1)
-    v, tau = (np.sin(step * np.arange(1, plan.nv + 1)) for step in (2.3, 3.1))
+    v, tau = generic_motion(plan.nv, 1)
     v *= not plan.at_rest
     bare = replace(plan.without_passive_torques(), scalar="double")
     outer = np.zeros(6 * len(plan.wrenches))

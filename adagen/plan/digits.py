@@ -95,3 +95,9 @@ def generic_configuration(joints: tuple[PlanJoint, ...], seed: int) -> NDArray[n
             values[part] /= np.linalg.norm(values[part])
         result.append(values)
     return np.concatenate(result)
+
+
+def generic_motion(count: int, seed: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return generic velocities and torques, shape (count,) each."""
+    places = np.arange(1, count + 1) * seed
+    return np.sin(2.3 * places), np.sin(3.1 * places)

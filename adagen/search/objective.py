@@ -23,7 +23,7 @@ from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
-from adagen.plan.digits import EPSILON, generic_configuration
+from adagen.plan.digits import EPSILON, generic_configuration, generic_motion
 from adagen.plan.own_axes import joints_in_own_axes
 from adagen.plan.steps import Join
 from adagen.schedule import CostProfile, Schedule
@@ -238,9 +238,10 @@ def _tried(plan: Plan) -> float:
     that it has for singular poses, which refinement does not know. Infinite where no digit is
     right.
     """
-    seeds = np.arange(1, min(_TRIALS, -(-_TRIED // len(plan.joints))) + 1)
-    q = np.stack([generic_configuration(plan.joints, seed) for seed in seeds.tolist()], axis=-1)
-    v, tau = (np.sin(np.outer(np.arange(1, plan.nv + 1), step * seeds)) for step in (2.3, 3.1))
+    seeds = range(1, min(_TRIALS, -(-_TRIED // len(plan.joints))) + 1)
+    q = np.stack([generic_configuration(plan.joints, seed) for seed in seeds], axis=-1)
+    motions = [generic_motion(plan.nv, seed) for seed in seeds]
+    v, tau = (np.stack(each, axis=-1) for each in zip(*motions, strict=True))
     v *= not plan.at_rest
     try:
         (sizes,) = interpret_refined(plan, q, v, tau, steps=1).corrections
