@@ -63,17 +63,50 @@ def test_the_emitted_makefile_builds_and_checks(
     assert "right" in done.stdout
 
 
+def said(folder: Path, *variables: str) -> list[list[str]]:
+    """Return the words of each command that make says it would run."""
+    command = ["make", "-n", "-C", str(folder), f"EIGEN={EIGEN}", *variables]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    lines = done.stdout.replace("\\\n", " ").splitlines()
+    return [words for words in map(str.split, lines) if "-o" in words]
+
+
+@pytest.fixture
+def _default_options(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CXXFLAGS", raising=False)
+
+
+@pytest.mark.usefixtures("_default_options")
 def test_the_program_around_solvers_is_optimised_little(arm: Path, tmp_path: Path) -> None:
     assert main([str(arm), "--procs", "1", "--out", str(tmp_path)]) == 0
 
-    def optimised(flags: str) -> list[str]:
-        command = ["make", "-n", "-C", str(tmp_path), f"EIGEN={EIGEN}", f"CXXFLAGS={flags}"]
-        said = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
-        words = said.stdout.replace("\\\n", " ").split()
-        return [word for word in words if word.startswith("-O")]
+    def optimised(*variables: str) -> list[str]:
+        commands = said(tmp_path, *variables)
+        return [[word for word in words if word.startswith("-O")][-1] for words in commands]
 
-    assert optimised("-O3 -g") == ["-O1", "-O3"]  # the program, the solver
-    assert optimised("-O2") == ["-O2", "-O2"]
+    assert optimised() == ["-O1", "-O3"]  # the program, the solver
+    assert optimised("CXXFLAGS=-O3 -g") == ["-O1", "-O3"]
+    assert optimised("CXXFLAGS=-O2") == ["-O2", "-O2"]
+    assert optimised("CXXFLAGS=-march=x86-64-v3") == ["-O1", "-O3"]
+
+
+@pytest.mark.usefixtures("_default_options")
+def test_options_of_yours_win_over_those_for_this_processor(arm: Path, tmp_path: Path) -> None:
+    assert main([str(arm), "--procs", "1", "--out", str(tmp_path)]) == 0
+    elsewhere = tmp_path / "other-g++"  # a compiler that does not know this processor
+    elsewhere.write_text('#!/bin/sh\nfor word; do [ "$word" != -march=native ] || exit 1; done\n')
+    elsewhere.chmod(0o755)
+
+    def processors(*variables: str) -> set[tuple[str, ...]]:
+        return {
+            tuple(word for word in words if word.startswith(("-march", "-mcpu")))
+            for words in said(tmp_path, *variables)
+        }
+
+    assert processors() == processors("CXXFLAGS=-O1") == {("-march=native",)}
+    assert processors("CXXFLAGS=-march=x86-64-v3 -g") == {("-march=x86-64-v3",)}
+    assert processors("CXXFLAGS=-mcpu=cortex-a72") == {("-mcpu=cortex-a72",)}
+    assert processors(f"CXX={elsewhere}", "CXXFLAGS=-static") == {()}
 
 
 @pytest.mark.parametrize("target", ["all", "lib"])
