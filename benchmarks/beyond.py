@@ -19,7 +19,7 @@ from adagen.errors import AdagenError
 from adagen.library import read
 from adagen.model import Model
 from adagen.schedule import CostProfile, Fabric, load_profile, read_fabric, shipped_fabric
-from adagen.search.several_hosts import state_time
+from adagen.search.several_hosts import batch_state_time
 from adagen.studies.bench.figures import chain
 from adagen.studies.bench.report import table
 from adagen.studies.bench.scale import predicted_batches
@@ -90,7 +90,7 @@ def of_batches(profile: CostProfile, fabric: Fabric) -> Iterator[str]:
     rows = []
     for joints in BATCHES:
         model = robot(joints)
-        state = state_time(model, profile)
+        state = batch_state_time(model, profile)
         rows += [
             (
                 *(joints, f"{1e3 * state:.0f}", one.hosts, one.processes),

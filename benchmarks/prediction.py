@@ -1,4 +1,4 @@
-"""Predicted against measured times, over models and schedules, at P = 1, 2 and 4.
+"""Predicted against measured times, over models and schedules, at P = 1, 2 and 4, and of batches.
 
     python -m benchmarks.prediction measure FILE.json [--profile NAME] [--priority N]
     python -m benchmarks.prediction report FILE.json [--profile NAME]
@@ -28,6 +28,7 @@ from adagen.calibrate.measure import Built, Measurement, combined
 from adagen.calibrate.robots import chain, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
 from adagen.cli.console import note
+from adagen.emit.shapes import chosen_shape
 from adagen.errors import AdagenError
 from adagen.executor.join_digits import predicted_growth
 from adagen.model import Model
@@ -95,6 +96,33 @@ def plans(model: Model, profile: CostProfile) -> list[tuple[str, Plan]]:
     return [(label, plan) for plan, label in found.items()]
 
 
+@dataclasses.dataclass(frozen=True)
+class Wanted:
+    """A program that is built and timed.
+
+    Attributes:
+        label: what tables call it.
+        plan: what its processes compute.
+        shape: of the code.
+        batch: whether each SIMD lane holds a state.
+    """
+
+    label: str
+    plan: Plan
+    shape: str = "auto"
+    batch: bool = False
+
+
+def programs_of(model: Model, profile: CostProfile) -> list[Wanted]:
+    """Return a robot's programs: one for each plan, and batches of the first in two shapes."""
+    found = [Wanted(label, plan) for label, plan in plans(model, profile)]
+    alone = found[0].plan
+    found.append(Wanted("batch", alone, batch=True))
+    if chosen_shape(alone, batch=True, profile=profile) != "kernels":
+        found.append(Wanted("batch of loops", alone, "kernels", batch=True))
+    return found
+
+
 def measured(
     model: Model,
     profile: CostProfile,
@@ -103,11 +131,14 @@ def measured(
     say: Callable[[str], None],
 ) -> list[dict[str, Any]]:
     """Build and time a robot's programs; return what is recorded of them."""
-    labelled = plans(model, profile)
-    say(f"compiling {len(labelled)} programs")
+    wanted = programs_of(model, profile)
+    say(f"compiling {len(wanted)} programs")
+
+    def build(one: Wanted) -> Built:
+        return Built(one.plan, toolchain, one.shape, profile, batch=one.batch)
+
     with ThreadPoolExecutor(2) as pool:
-        built = pool.map(lambda pair: Built(pair[1], toolchain, profile=profile), labelled)
-        programs = list(built)
+        programs = list(pool.map(build, wanted))
     say("timing")
     found: list[list[Measurement]] = [[] for _ in programs]
     for _ in range(ROUNDS):
@@ -119,12 +150,13 @@ def measured(
     return [
         {
             "model": model.name,
-            "label": label,
+            "label": one.label,
             "shape": program.shape,
-            "plan": plan_to_json(plan),
+            "batch": one.batch,
+            "plan": plan_to_json(one.plan),
             "measured": dataclasses.asdict(combined(times)),
         }
-        for (label, plan), program, times in zip(labelled, programs, found, strict=True)
+        for one, program, times in zip(wanted, programs, found, strict=True)
     ]
 
 

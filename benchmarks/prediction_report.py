@@ -11,15 +11,20 @@ from statistics import median
 
 import numpy as np
 
+from adagen.cost import state_time
+from adagen.emit import program_of
 from adagen.emit.shapes import predict
-from adagen.plan import plan_from_json
-from adagen.schedule import load_profile
+from adagen.plan import Plan, plan_from_json
+from adagen.schedule import CostProfile, load_profile
 from adagen.studies.bench.report import table
 
 
 @dataclasses.dataclass(frozen=True)
 class Row:
-    """A program's measured and predicted time, microseconds; ``played`` if from stretches."""
+    """A program's measured and predicted time, microseconds; ``played`` if from stretches.
+
+    Of batches, times are of a state.
+    """
 
     model: str
     label: str
@@ -64,7 +69,7 @@ def report(path: Path, profile: str, machine: str) -> str:
             row["label"],
             row["shape"],
             row["measured"]["time"],
-            predict(plan_from_json(row["plan"]), costs, row["shape"]).makespan,
+            _predicted(plan_from_json(row["plan"]), costs, row["shape"], row["batch"]),
             row["measured"]["best"],
             row["measured"]["source"] == "stretches",
         )
@@ -75,15 +80,26 @@ def report(path: Path, profile: str, machine: str) -> str:
     return "\n".join(lines)
 
 
+def _predicted(plan: Plan, profile: CostProfile, shape: str, batch: bool) -> float:
+    if batch:
+        return state_time(program_of(plan, shape, batch=True, profile=profile), profile)
+    return predict(plan, profile, shape).makespan
+
+
+def _batch(row: Row) -> bool:
+    return row.label.startswith("batch")
+
+
 GROUPS: dict[str, Callable[[Row], bool]] = {
-    "P = 1 and 2": lambda row: "P=4" not in row.label,
+    "P = 1 and 2": lambda row: "P=4" not in row.label and not _batch(row),
     "form segment, P = 1": lambda row: row.label.startswith("segment, P=1"),
     "form segment, P = 2": lambda row: row.label.startswith("segment, P=2"),
     "form segment, P = 4": lambda row: row.label.startswith("segment, P=4"),
     "form ada": lambda row: row.label.startswith("ada"),
-    "shape `kernels`": lambda row: row.shape == "kernels",
-    "shape `joints`": lambda row: row.shape == "joints",
-    "shape `unrolled`": lambda row: row.shape == "unrolled",
+    "batches, of a state": _batch,
+    "shape `kernels`": lambda row: row.shape == "kernels" and not _batch(row),
+    "shape `joints`": lambda row: row.shape == "joints" and not _batch(row),
+    "shape `unrolled`": lambda row: row.shape == "unrolled" and not _batch(row),
 }
 
 
@@ -96,7 +112,7 @@ def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> I
             continue
         title += ", from stretches" if all(row.played for row in some) else ""
         lines.append(_line(title, [(row.predicted, row.measured) for row in some]))
-    fastest = [(row.predicted, row.fastest) for row in rows]
+    fastest = [(row.predicted, row.fastest) for row in rows if not _batch(row)]
     lines.append(_line("all P, against the fastest evaluation", fastest))
     head = ("programs", "count", "median error", "90 % below", "largest", "rank correlation")
     yield from table(head, lines)
@@ -146,9 +162,13 @@ def _all(rows: list[Row]) -> Iterator[str]:
     head = ("robot", "schedule", "shape", "measured (µs)", "fastest (µs)", "predicted (µs)")
     lines = (
         (
-            *(r.model, r.label, r.shape, f"{'≈' if r.played else ''}{r.measured:.2f}"),
-            *(f"{r.fastest:.2f}", f"{r.predicted:.2f}", f"{r.error:+.1%}"),
+            *(r.model, r.label, r.shape, f"{'≈' if r.played else ''}{_shown(r.measured)}"),
+            *(_shown(r.fastest), _shown(r.predicted), f"{r.error:+.1%}"),
         )
         for r in rows
     )
     yield from table((*head, "error"), lines)
+
+
+def _shown(time: float) -> str:
+    return f"{time:.2f}" if time >= 0.5 else f"{time:.3g}"

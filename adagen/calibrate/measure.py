@@ -76,6 +76,7 @@ class Built:
         shape: of the code.
         profile: chooses shape, limbs side by side and methods; the shipped one if not given.
         limbs: those that each process takes side by side; None for those of least price.
+        batch: whether each lane holds a state; its stages are not timed.
 
     Raises:
         EnvironmentFault: the compiler failed.
@@ -89,12 +90,16 @@ class Built:
         shape: str = "auto",
         profile: CostProfile | None = None,
         limbs: Grouping | None = None,
+        *,
+        batch: bool = False,
     ) -> None:
         self.plan = plan
         self.toolchain = toolchain
-        self.shape = chosen_shape(plan, shape, profile=profile)
+        self.shape = chosen_shape(plan, shape, profile=profile, batch=batch)
+        self.batch = batch
         stem = stem_of(plan)
-        text = emit(plan, shape=self.shape, profile=profile, limbs=limbs)[f"{stem}.cpp"]
+        files = emit(plan, shape=self.shape, profile=profile, limbs=limbs, batch=int(batch))
+        text = files[f"{stem}.cpp"]
         self.executable = build_executable(text, stem, toolchain)
 
     def measure(
@@ -110,6 +115,8 @@ class Built:
         Raises:
             EnvironmentFault: it failed, or the time is up.
         """
+        if self.batch:
+            return timed_batch(self.executable, self.toolchain)
         count = len(self.plan.processes)
         words = ["--channel", channel, *arguments]
         return timed(self.executable, count, self.toolchain, repeat=repeat, arguments=words)
@@ -143,6 +150,21 @@ def timed(
             raise EnvironmentFault(f"{executable.name} cannot be timed: {done.stderr}")
         report = json.loads(done.stdout)
         return _measurement(report, json.loads(trace.read_text(encoding="utf-8")))
+
+
+def timed_batch(executable: Path, toolchain: Toolchain) -> Measurement:
+    """Time an emitted program of batches once: each of its states, on one process.
+
+    Raises:
+        EnvironmentFault: it failed, or the time is up.
+    """
+    with fresh_copy(executable) as copy:
+        done = launch(copy, 1, ["--time", "--json"], toolchain, TIMEOUT)
+        if done.status != 0:
+            raise EnvironmentFault(f"{executable.name} cannot be timed: {done.stderr}")
+        times = json.loads(done.stdout)["time"]
+        state, least = (float(times["in_place"][key]) / 1e3 for key in ("middle_ns", "min_ns"))
+        return Measurement(state, least, (), "none", bool(times["pinned"]), str(times["source"]))
 
 
 def _measurement(report: dict[str, Any], trace: dict[str, Any]) -> Measurement:

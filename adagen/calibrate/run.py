@@ -11,6 +11,7 @@ from statistics import median
 
 from adagen.build import Toolchain
 from adagen.build.registers import widest_register
+from adagen.calibrate.batches import fit_batches
 from adagen.calibrate.caches import instruction_cache, second_cache
 from adagen.calibrate.channel import (
     Channels,
@@ -32,13 +33,14 @@ from adagen.calibrate.measure import Built, Measurement, combined
 from adagen.calibrate.samples import (
     ORDERS,
     Wanted,
+    batch_programs,
     in_order,
     stepwise_programs,
     straight_programs,
 )
 from adagen.calibrate.straight import faster_order, fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11
-from adagen.cost import timeline
+from adagen.cost import state_time, timeline
 from adagen.cost.features import operation_features
 from adagen.errors import UsageError
 from adagen.program.lower import LOOPS
@@ -85,6 +87,7 @@ class _Measured:
         labels: of the samples, in order.
         stepwise: of programs that go step by step.
         straight: of straight lines of statements, in the faster order.
+        batches: of batches; times are of one state.
         ahead: which is that: one of ``ORDERS``.
         channels: times of messages; None with one core.
         speeds: of the cores; () if they are alike.
@@ -94,6 +97,7 @@ class _Measured:
     labels: list[str]
     stepwise: list[Sample]
     straight: list[Sample]
+    batches: list[Sample]
     ahead: float
     channels: Channels | None
     speeds: tuple[float, ...]
@@ -123,12 +127,13 @@ def calibrate(
     if found.channels is not None:
         costs = _with_latency_at_work(costs, [*free, *found.straight])
     profile = replace(fit_equation11(name, costs), steps=costs)
-    samples = [*found.stepwise, *found.straight]
+    samples = [*found.stepwise, *found.straight, *found.batches]
     totals = [
-        (label, sample.measured.time, timeline(sample.program, profile).makespan)
+        (label, sample.measured.time, state_time(sample.program, profile))
         for label, sample in zip(found.labels, samples, strict=True)
     ]
-    profile = replace(profile, steps=_with_margin(costs, totals))
+    single = totals[: len(totals) - len(found.batches)]
+    profile = replace(profile, steps=_with_margin(costs, single))
     errors = relative_errors(free, costs)
     for channel, times in (found.channels or {}).items():
         errors[f"messages, {channel}"] = channel_errors(times, sent.channel(channel))
@@ -176,7 +181,8 @@ def _measure(
             [each for each in programs if len(each.plan.processes) == 1]
             for programs in (chosen, straight)
         )
-    wanted = [*chosen, *straight]
+    batches = batch_programs(profile)
+    wanted = [*chosen, *straight, *batches]
     rounds = 2 if quick else _ROUNDS
     steps = _Steps(len(wanted) + rounds + 1, progress)
     programs = _built(wanted, toolchain, min(cores, 4), steps)
@@ -194,11 +200,13 @@ def _measure(
     samples = [
         Sample(each.lowered, combined(times)) for each, times in zip(wanted, found, strict=True)
     ]
-    ahead, lines = faster_order(samples[len(chosen) :])
+    by_steps, straight_ones = len(chosen), len(chosen) + len(straight)
+    ahead, lines = faster_order(samples[by_steps:straight_ones])
     return _Measured(
-        [each.label for each in wanted[: len(chosen) + len(lines)]],
-        samples[: len(chosen)],
+        [each.label for each in (*wanted[: by_steps + len(lines)], *batches)],
+        samples[:by_steps],
         lines,
+        samples[straight_ones:],
         ahead,
         least_times(messages) if messages else None,
         speeds,
@@ -227,7 +235,14 @@ def _built(
     wanted: Sequence[Wanted], toolchain: Toolchain, workers: int, steps: _Steps
 ) -> list[Built]:
     def build(each: Wanted) -> Built:
-        return Built(each.plan, toolchain, each.shape, profile=each.profile, limbs=each.limbs)
+        return Built(
+            each.plan,
+            toolchain,
+            each.shape,
+            profile=each.profile,
+            limbs=None if each.batch else each.limbs,
+            batch=each.batch,
+        )
 
     with ThreadPoolExecutor(workers) as pool:
         futures = [pool.submit(build, each) for each in wanted]
@@ -246,6 +261,7 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     table = fit_steps(free)
     table["process.evaluation"] = evaluation_cost(free)
     table |= fit_straight(timed_stretches(found.straight)) | found.sizes
+    table |= fit_batches(found.batches, int(found.sizes["process.register"]))
     table["unrolled.ahead"] = found.ahead
     if found.channels is not None:
         window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)

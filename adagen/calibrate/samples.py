@@ -147,6 +147,7 @@ class Wanted:
         shape: of the code.
         limbs: those that each process takes side by side.
         profile: chooses the methods.
+        batch: whether each lane holds a state.
     """
 
     label: str
@@ -154,11 +155,13 @@ class Wanted:
     shape: str
     limbs: Grouping
     profile: CostProfile
+    batch: bool = False
 
     @property
     def lowered(self) -> Program:
         """What runs."""
-        return lower(self.plan, self.shape, limbs=self.limbs, costs=step_costs(self.profile))
+        costs = step_costs(self.profile)
+        return lower(self.plan, self.shape, limbs=self.limbs, costs=costs, batch=self.batch)
 
 
 def stepwise_programs(profile: CostProfile, quick: bool) -> list[Wanted]:
@@ -321,6 +324,41 @@ def straight_programs(profile: CostProfile) -> list[Wanted]:
             label = f"straight {plan.name} P={len(plan.processes)}{side}"
             found.append(Wanted(label, plan, "unrolled", limbs, profile))
     return found
+
+
+def batch_programs(profile: CostProfile) -> list[Wanted]:
+    """Return the programs of batches: straight lines, and loops over joints of each kind."""
+    robots = {
+        "unrolled": [
+            robot("pair", chain(2), ["revolute"], 1),
+            squared(robot("arm", chain(7), ["revolute"], 1)),
+            robot("tangle", chain(16), ["revolute"], 1),
+            squared(robot("balls", chain(5), ["spherical"], 1)),
+            squared(robot("hand", star(4, 4), ["revolute"], 1)),
+            squared(robot("beast", star(4, 3), ["floating", *["revolute"] * 12], 29)),
+            squared(robot("figure", crew((2, 6), (2, 7)), ["floating", *["revolute"] * 26], 30)),
+        ],
+        "kernels": [
+            robot("rope", chain(40), ["revolute"], 12),
+            robot("turns", chain(24), ["spherical"], 34),
+            robot("others", chain(16), OTHERS, 2),
+            robot("rails", chain(16), ["prismatic"], 41),
+            robot("raft", [0] * 6, ["floating"], 42),
+            robot("legs", star(4, 8), ["floating", *["revolute"] * 32], 9),
+        ],
+    }
+    return [
+        Wanted(
+            f"batch {'of loops ' if shape == 'kernels' else ''}{model.name}",
+            _plan(model, "segment", 1, 1, "", profile),
+            shape,
+            ((),),
+            profile,
+            batch=True,
+        )
+        for shape, models in robots.items()
+        for model in models
+    ]
 
 
 def _plan(

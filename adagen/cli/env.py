@@ -18,8 +18,9 @@ _EPILOG = """examples:
 MPICXX, MPIEXEC, EIGEN and CXX choose another compiler wrapper, launcher, Eigen
 or compiler; CXXFLAGS is appended to the options.
 
-profile is the shipped one that was measured with registers of this width, for
---profile; adagen calibrate measures this machine's costs."""
+profile is the shipped one that was measured on a processor like this one, with
+registers of the same width, for --profile; adagen calibrate measures this
+machine's costs."""
 
 
 def command_parser() -> Parser:
@@ -58,10 +59,12 @@ def run(argv: Sequence[str]) -> int:
         print(lines[options.which])
         return 0
 
+    from adagen.build.processor import processor
     from adagen.build.registers import widest_register
     from adagen.schedule.profile import shipped_for
 
     register = widest_register(toolchain)
+    profile = shipped_for(register, processor())
     if options.which == "json":
         report: dict[str, object] = {
             "cxx": list(toolchain.cxx),
@@ -73,12 +76,13 @@ def run(argv: Sequence[str]) -> int:
             "wheel": toolchain.wheel,
             "cache": str(cache_folder()),
             "register_bytes": register,
-            "profile": shipped_for(register),
+            "profile": profile,
         }
         print(json.dumps(report, indent=2))
         return 0
     lines["cache"] = str(cache_folder())
-    lines["profile"] = f"{shipped_for(register)}, the shipped one for registers of {register} bytes"
+    alike = f"this processor with registers of {register} bytes"
+    lines["profile"] = f"{profile}, the shipped one for {alike}"
     for name, line in lines.items():
         words = textwrap.wrap(line, 70, break_long_words=False, break_on_hyphens=False)
         print(f"{name:10}" + f"\n{'':10}".join(words))

@@ -118,20 +118,17 @@ def options_of(argv: Sequence[str]) -> argparse.Namespace:
     return options
 
 
-_BATCH = "the time of batches is not predicted: the program's --time measures it"
-
-
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen MODEL`` with the given arguments; return the exit status."""
     options = options_of(argv)
 
     from adagen.cli import pipeline
-    from adagen.cli.predicted import prediction
+    from adagen.cli.predicted import batch_prediction, prediction
 
     with timed(told=options.verbose) as stages:
         model = pipeline.read_model(options, stages, options.gravity)
         made = pipeline.generate(model, options, stages)
-        line = _BATCH if options.batch else prediction(made.schedule, made.timeline)
+        line = batch_prediction(made) if options.batch else prediction(made.schedule, made.timeline)
         with stages.stage("write"):
             written = made.write(options.out)
     if options.json:

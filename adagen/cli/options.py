@@ -121,8 +121,8 @@ def add_schedule(parser: Parser) -> None:
         "--profile",
         default="default",
         metavar="NAME|FILE",
-        help="cost profile: default, xeon, avx2, paper, one that adagen calibrate has stored, or a "
-        "TOML file",
+        help="cost profile: default, xeon, zen4, avx2, paper, one that adagen calibrate has "
+        "stored, or a TOML file",
     )
     group.add_argument(
         "--schedule",

@@ -10,8 +10,17 @@ from adagen.errors import printable
 
 if TYPE_CHECKING:
     from adagen.cost import Timeline
+    from adagen.library.solver import Compiled
     from adagen.schedule import Schedule
     from adagen.search.objective import Digits
+
+
+def batch_prediction(made: Compiled) -> str:
+    """Return what is predicted of a batch in a few words."""
+    profile = made.request.profile
+    if made.predicted is None:
+        return f"the time of batches is not predicted: the profile {profile} prices joins alone"
+    return f"{1e3 * made.predicted:.3g} ns a state predicted ({made.schedule.profile} profile)"
 
 
 def prediction(schedule: Schedule, line: Timeline | None) -> str:

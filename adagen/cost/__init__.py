@@ -2,7 +2,7 @@
 
 from adagen.cost.features import Features, operation_features, step_features
 from adagen.cost.lane_choice import programmed, with_recovery
-from adagen.cost.simulation import Exchange, Interval, Timeline, timeline
+from adagen.cost.simulation import Exchange, Interval, Timeline, state_time, timeline
 
 __all__ = [
     "Exchange",
@@ -11,6 +11,7 @@ __all__ = [
     "Timeline",
     "operation_features",
     "programmed",
+    "state_time",
     "step_features",
     "timeline",
     "with_recovery",

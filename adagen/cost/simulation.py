@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
+from adagen.cost.batches import of_registers, states_at_once
 from adagen.cost.features import joins_of, operation_features
 from adagen.cost.straight import straight_times
 from adagen.plan.stages import Stage, stages
@@ -111,7 +112,8 @@ class Timeline:
 def timeline(program: Program, profile: CostProfile, links: Links | None = None) -> Timeline:
     """Return the predicted timeline of an evaluation.
 
-    Each process is assumed to have a core of its own, and all to begin at the same instant.
+    Each process is assumed to have a core of its own, and all to begin at the same instant. An
+    evaluation of a batch solves a register full of states.
 
     Args:
         program: what runs.
@@ -123,6 +125,20 @@ def timeline(program: Program, profile: CostProfile, links: Links | None = None)
         ValueError: the profile prices joins alone, as the paper's does.
     """
     return _Play(program, profile.measured, links).play()
+
+
+def state_time(program: Program, profile: CostProfile) -> float:
+    """Return the predicted time of a process for one state, microseconds.
+
+    Args:
+        program: of a batch, or of one state after the other.
+        profile: a profile with the costs of steps.
+
+    Raises:
+        ValueError: the profile prices joins alone, as the paper's does.
+    """
+    register = profile.measured["process.register"]
+    return timeline(program, profile).makespan / states_at_once(program, register)
 
 
 @dataclass
@@ -147,6 +163,8 @@ class _Play:
         self.exchanges: list[Exchange] = []
 
     def _evaluation(self) -> float:
+        if self.program.batch:
+            return 0.0
         straight = self.program.shape == "unrolled"
         return self.costs["unrolled.evaluation" if straight else "process.evaluation"]
 
@@ -209,6 +227,20 @@ Times = Callable[[int, int, Operation], float]
 
 def _times(program: Program, costs: StepCosts) -> Times:
     """Return a function that gives the time of each operation."""
+    if program.batch:
+        times = of_registers(program, costs, _listed(program, _of_one_state(program, costs)))
+        return lambda p, place, _: times[p][place]
+    return _of_one_state(program, costs)
+
+
+def _listed(program: Program, time: Times) -> list[list[float]]:
+    return [
+        [time(p, place, operation) for place, operation in enumerate(process.operations)]
+        for p, process in enumerate(program.processes)
+    ]
+
+
+def _of_one_state(program: Program, costs: StepCosts) -> Times:
     if program.shape == "unrolled":
         straight = straight_times(program, costs)
         return lambda p, place, _: straight[p][place]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from adagen.cost import timeline
+from adagen.cost import state_time, timeline
 from adagen.drawing.program import program_svg
 from adagen.drawing.tree import schedule_svg
 from adagen.program import Program
+from adagen.program.summary import a_state
 from adagen.schedule import CostProfile, Schedule, Topology
 
 __all__ = ["draw", "program_svg", "schedule_svg"]
@@ -30,8 +31,9 @@ def draw(
 
 
 def _said(program: Program, profile: CostProfile) -> str:
+    time = f"{state_time(program, profile):.3g} µs{a_state(program)} predicted"
     if program.batch:
-        return "each SIMD lane holds a state of a batch; processes share the states"
-    time = timeline(program, profile).makespan
-    how = f"form {program.plan.form}, shape {program.shape}"
-    return f"{time:.3g} µs predicted ({profile.name} profile), {how}"
+        how = "each SIMD lane holds a state of a batch; processes share the states"
+    else:
+        how = f"form {program.plan.form}, shape {program.shape}"
+    return f"{time} ({profile.name} profile), {how}"

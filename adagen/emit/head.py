@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 import textwrap
 
-from adagen.cost import timeline
+from adagen.cost import state_time
 from adagen.program import Program
-from adagen.program.summary import groups, meeting, title
+from adagen.program.summary import a_state, groups, meeting, title
 from adagen.schedule import CostProfile
 
 _WIDTH = 103  # of a comment's text
@@ -95,9 +95,9 @@ def program_lines(program: Program, profile: CostProfile) -> list[str]:
         profile: prices it, unless it prices joins alone.
     """
     head = title(program)
-    if not program.batch and profile.steps is not None and program.shape in _PRICED:
-        time = timeline(program, profile).makespan
-        head += f"; {time:.3g} us predicted ({profile.name} profile)"
+    if profile.steps is not None and program.shape in _PRICED:
+        time = state_time(program, profile)
+        head += f"; {time:.3g} us{a_state(program)} predicted ({profile.name} profile)"
     lines = [head]
     for p, process in enumerate(program.plan.processes):
         own = groups(program, p)

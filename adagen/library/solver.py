@@ -55,6 +55,8 @@ class Compiled:
         program: what runs, operation by operation.
         timeline: the predicted course of an evaluation; None if the profile or a batch leaves it
             open.
+        predicted: time of an evaluation, or of a state of a batch, microseconds; None if the
+            profile leaves it open.
         files: file name to text: source, header, plan, drawing, Makefile, CMakeLists.txt, ...
         inputs: what it was made from beside the robot, such as scene and cost profile.
         unpaid: what is to be said of processes that do not pay; empty where they do.
@@ -67,6 +69,7 @@ class Compiled:
     plan: Plan
     program: Program
     timeline: Timeline | None
+    predicted: float | None
     files: dict[str, str] = field(repr=False)
     inputs: tuple[Input, ...] = field(default=(), repr=False)
     unpaid: str = field(default="", repr=False)
@@ -96,11 +99,6 @@ class Compiled:
     def header(self) -> str:
         """The C header."""
         return self.files[f"{self.stem}.h"]
-
-    @property
-    def predicted(self) -> float | None:
-        """Predicted time of an evaluation, microseconds; None if there is no prediction."""
-        return None if self.timeline is None else self.timeline.makespan
 
     @property
     def digits(self) -> float | None:

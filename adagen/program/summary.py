@@ -98,6 +98,11 @@ def _run_words(program: Program, run: Sequence[int], whole: bool) -> str:
     return ", ".join(words)
 
 
+def a_state(program: Program) -> str:
+    """Return what is said behind a time: that of a batch is shared by the states in a register."""
+    return " a state" if program.batch else ""
+
+
 def title(program: Program) -> str:
     """Return the number of processes and how they meet, in a few words."""
     count = len(program.plan.processes)

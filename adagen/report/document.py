@@ -202,8 +202,9 @@ def _figures(made: Compiled, measured: Measured | None) -> list[dict[str, Any]]:
         if measured is None
         else (measured.median, measured.least, measured.digits, measured.error)
     )
+    once = "a state of a batch" if made.request.batch else "an evaluation"
     rows: list[tuple[str, float | None, float | None, str]] = [
-        ("time of an evaluation", made.predicted, median, "µs"),
+        (f"time of {once}", made.predicted, median, "µs"),
         ("least time", None, least, "µs"),
         ("right digits of an acceleration", digits, sure, ""),
         ("largest error", None, error, "relative"),

@@ -22,7 +22,9 @@ from adagen.tomlfile import parse_toml
 TICKS = 1_000_000
 """Ticks in a microsecond."""
 
-SHIPPED = ("default", "xeon", "avx2", "paper")
+Processor = tuple[str, int]
+"""Maker and family, as x86 processors tell them."""
+SHIPPED = ("default", "xeon", "zen4", "avx2", "paper")
 """Names of the profiles that come with adagen."""
 
 _LIMIT = 1e6  # microseconds; keeps every sum far below 2^63 ticks
@@ -159,10 +161,21 @@ def profile_text(name: str) -> tuple[str, str]:
         raise InputError(f"cannot read the cost profile: {reason}", name) from None
 
 
-def shipped_for(register: int) -> str:
-    """Return the shipped profile that was measured with registers of so many bytes, or nearest."""
-    wide = load_profile("default").measured["process.register"]
-    return "default" if register >= wide else "avx2"
+def shipped_for(register: int, processor: Processor | None = None) -> str:
+    """Return the shipped profile that was measured on the processor that is the most alike.
+
+    Args:
+        register: bytes of the widest registers that solvers use.
+        processor: the maker's name and the family of the processor, where they are known.
+    """
+    if register < load_profile("default").measured["process.register"]:
+        return "avx2"
+    match processor:
+        case ("GenuineIntel", _):
+            return "xeon"
+        case ("AuthenticAMD", 25):  # Zen 3 and 4, of which Zen 4 has such registers
+            return "zen4"
+    return "default"
 
 
 def with_steps(profile: CostProfile | None) -> CostProfile:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
 
-from adagen.cost import timeline
+from adagen.cost import state_time, timeline
 from adagen.cost.handout import Batch, Handout, Helper, handed_out
 from adagen.emit import program_of
 from adagen.emit.shapes import priced_program
@@ -24,9 +24,6 @@ MOST_SHARING = 16
 
 FULL = 8
 """States that pieces of a batch are multiples of: they fill the widest registers there are."""
-
-NUMBER = 8
-"""Bytes of a number of a state."""
 
 STATES = 1 << 17
 """States of the batches that are played through."""
@@ -136,7 +133,7 @@ def across_hosts(
         farthest = network(0, count - 1)
         far = replace(profile, steps=replace(costs, window=farthest, message=farthest))
         shared.append(_shared(model, hosts[:count], searched(count, far), profile, network))
-    state = state_time(model, profile)
+    state = batch_state_time(model, profile)
     batches = batches_on(model, hosts, state, costs, network)
     return Across(alone, tuple(shared), batches, state, profile.name, margin(profile))
 
@@ -185,18 +182,14 @@ def placed(hosts: Sequence[Host], processes: int) -> list[int]:
     return [next(k for k, end in enumerate(ends) if p < end) for p in range(processes)]
 
 
-def state_time(model: Model, profile: CostProfile) -> float:
+def batch_state_time(model: Model, profile: CostProfile) -> float:
     """Return the predicted time of a process for one state of a batch, microseconds.
 
-    It is the time of the program that a batch runs, by the price of single evaluations, shared by
-    the lanes: what registers take longer for than numbers is not in it. Long chains are solved
-    state by state, their lanes are for parts.
+    Long chains are solved state by state, their lanes are for parts.
     """
     in_parts = not solved_in_lanes(len(model.joints), step_costs(profile))
     plan = make_plan(model, best_schedule(model, 1, profile, in_parts=in_parts))
-    program = program_of(plan, batch=True, profile=profile)
-    lanes = step_costs(profile)["process.register"] // NUMBER if program.batch else 1
-    return timeline(program, profile).makespan / max(1, lanes)
+    return state_time(program_of(plan, batch=True, profile=profile), profile)
 
 
 def batches_on(

@@ -1,10 +1,10 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --batch --name=arm7_batch
-// input     profile default, sha256 1dea1583c931100677162c1bea818b51f291a9dc997ab5a620aa9fe3c73a8ae6
+// input     profile default, sha256 9ec819377fad5d8b3aefc8977e0518fd0f5f9a5b8c906163fe928740af311778
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_batch_p2.h
-// program   1 process
+// program   1 process; 0.037 us a state predicted (default profile)
 //           process 0: base_yaw .. right_finger_slide
 //
 // Each SIMD lane holds a state; the processes share the states of a batch, not the robot.

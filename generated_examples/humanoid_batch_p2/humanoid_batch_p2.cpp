@@ -1,10 +1,10 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --shape=kernels --batch --name=humanoid_batch
-// input     profile default, sha256 1dea1583c931100677162c1bea818b51f291a9dc997ab5a620aa9fe3c73a8ae6
+// input     profile default, sha256 9ec819377fad5d8b3aefc8977e0518fd0f5f9a5b8c906163fe928740af311778
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_batch_p2.h
-// program   1 process
+// program   1 process; 0.281 us a state predicted (default profile)
 //           process 0: __base__ .. right_wrist_pitch
 //
 // Each SIMD lane holds a state; the processes share the states of a batch, not the robot.

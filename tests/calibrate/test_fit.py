@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from adagen.calibrate.batches import fit_batches
 from adagen.calibrate.channel import (
     SIZES,
     MessageTime,
@@ -18,11 +19,12 @@ from adagen.calibrate.fit import (
     fit_steps,
     relative_errors,
 )
-from adagen.calibrate.measure import Measurement, StageTime
+from adagen.calibrate.measure import Built, Measurement, StageTime
 from adagen.calibrate.nnls import nnls
 from adagen.calibrate.samples import (
     ORDERS,
     Wanted,
+    batch_programs,
     in_order,
     stepwise_programs,
     straight_programs,
@@ -30,14 +32,15 @@ from adagen.calibrate.samples import (
 from adagen.calibrate.straight import faster_order, fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text
-from adagen.cost import operation_features, timeline
+from adagen.cost import operation_features, state_time, timeline
 from adagen.cost.features import joins_of
 from adagen.emit import emit
 from adagen.program import Program
 from adagen.schedule import load_profile, parse_profile
 from adagen.schedule.costs import ASSUMED, NAMES, OTHERS, ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
-from tests.cost.costs import MESSAGE, WINDOW, step_costs
+from tests.cost.costs import MESSAGE, WINDOW, step_costs, step_profile
+from tests.emitted import Builder
 
 
 def played(program: Program, costs: StepCosts, noise: float, rng: np.random.Generator) -> Sample:
@@ -77,7 +80,7 @@ def test_every_coefficient_that_prices_something_is_measured(
     }
     fitted = {"process.evaluation", "process.margin", "unrolled.held"}
     fitted |= {"process.cache", "process.register"}
-    fitted |= {name for name in NAMES if name.startswith(("slaved.", "unrolled."))}
+    fitted |= {name for name in NAMES if name.startswith(("slaved.", "unrolled.", "batch."))}
     unseen = {name for name in NAMES if name not in seen | fitted}
     told = {f"{group}.{key}" for group, keys in OTHERS.items() for key in keys}
     assert not {n for n in unseen if n in told or n.endswith((".revolute", ".run"))}
@@ -230,3 +233,22 @@ def test_a_written_profile_is_read_back() -> None:
     assert (read.steps.window, read.steps.message) == (costs.window, costs.message)
     assert read.steps.cores == (1.0, 0.5)
     assert profile_text(read, "two lines\nof remark", digits=9) == text
+
+
+def test_costs_of_batches_are_found_again() -> None:
+    truth = step_costs(batch__number=0.003, batch__sine=0.02, process__register=32.0)
+    profile = step_profile((), batch__number=0.003, batch__sine=0.02, process__register=32.0)
+    programs = [each.lowered for each in batch_programs(load_profile("paper"))]
+    assert {program.shape for program in programs} == {"kernels", "unrolled"}
+    samples = [Sample(each, _taking(state_time(each, profile))) for each in programs]
+    found = fit_batches(samples, 32)
+    fitted = {name for name in NAMES if name.startswith("batch.")}
+    assert found == pytest.approx({name: truth[name] for name in fitted}, rel=1e-5)
+
+
+def test_batches_are_built_and_timed(builder: Builder) -> None:
+    first, *_ = batch_programs(load_profile("default"))
+    built = Built(first.plan, builder.toolchain, first.shape, profile=first.profile, batch=True)
+    found = built.measure()
+    assert 0 < found.best <= found.time < 100
+    assert found.stages == ()

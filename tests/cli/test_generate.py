@@ -209,14 +209,23 @@ class TestGenerate:
         assert told["predicted_us"] > 0.0 and told["digits"] > 9.0
         assert told["warnings"] == err.splitlines()
 
-    def test_no_time_is_predicted_of_a_batch(self, arm: Path, tmp_path: Path, said: Said) -> None:
-        """That of one state by itself would be twenty times as long."""
+    def test_the_time_of_a_state_of_a_batch_is_predicted(
+        self, arm: Path, tmp_path: Path, said: Said
+    ) -> None:
         words = [str(arm), "--batch", "--out", str(tmp_path / "o")]
         assert main(words) == 0
         err = " ".join(said()[1].split())
-        assert "the time of batches is not predicted" in err and "us predicted" not in err
+        told = re.search(r"(\S+) ns a state predicted \(default profile\)", err)
+        assert told is not None and "us predicted" not in err
         assert main([*words, "--json", "--quiet"]) == 0
-        assert json.loads(said()[0])["predicted_us"] is None
+        predicted = json.loads(said()[0])["predicted_us"]
+        assert f"{1e3 * predicted:.3g}" == told[1]
+        (source,) = (tmp_path / "o").glob("*_p[0-9]*.cpp")
+        assert f"{predicted:.3g} us a state predicted (default profile)" in source.read_text()
+        (drawing,) = (tmp_path / "o").glob("*.svg")
+        assert f"{predicted:.3g} µs a state predicted (default profile)" in drawing.read_text()
+        assert main([*words, "--profile", "paper"]) == 0
+        assert "not predicted: the profile paper prices joins alone" in " ".join(said()[1].split())
 
     def test_the_stages_are_timed_for_who_asks(self, arm: Path, tmp_path: Path, said: Said) -> None:
         assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "o"), "-v"]) == 0

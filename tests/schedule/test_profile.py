@@ -8,6 +8,8 @@ import pytest
 
 from adagen.errors import InputError, UsageError
 from adagen.schedule import Topology, load_profile
+from adagen.schedule.costs import ASSUMED
+from adagen.schedule.profile import parse_profile, profile_text, shipped_for
 from adagen.search import find_schedule
 
 GOOD = 'name = "mine"\n[join]\nalpha = 1\nbeta = 0.5\ngamma = -0.1\ndelta = 2.0\n'
@@ -17,9 +19,36 @@ def test_shipped_profiles() -> None:
     paper = load_profile("paper")
     assert (paper.alpha, paper.beta, paper.gamma, paper.delta) == (1.6, 1.0, -1.0, 14.4)
     assert [paper.join(k, 1) for k in range(3)] == [13_400_000, 16_000_000, 21_800_000]
-    for name in ("default", "xeon", "avx2"):
+    for name in ("default", "xeon", "zen4", "avx2"):
         found = load_profile(name)
         assert found.name == name and found.steps is not None
+
+
+@pytest.mark.parametrize(
+    ("processor", "wide"),
+    [
+        (("GenuineIntel", 6), "xeon"),
+        (("AuthenticAMD", 25), "zen4"),
+        (("AuthenticAMD", 26), "default"),
+        (("CentaurHauls", 7), "default"),
+        (None, "default"),
+    ],
+)
+def test_a_processor_has_the_profile_of_one_like_it(
+    processor: tuple[str, int] | None, wide: str
+) -> None:
+    assert shipped_for(64, processor) == wide
+    assert shipped_for(32, processor) == shipped_for(16, processor) == "avx2"
+
+
+def test_a_profile_may_say_nothing_of_batches() -> None:
+    """Those that were measured before batches were priced do not."""
+    text, file = profile_text("default")
+    start, end = text.index("[steps.batch]"), text.index("[steps.link]")
+    found = parse_profile(text[:start] + text[end:], file)
+    assert found.measured["batch.operation"] == ASSUMED["batch.operation"] > 0
+    with pytest.raises(InputError, match="operations"):  # but not a part of it
+        parse_profile(text.replace("[steps.batch]", "[steps.batch]\noperations = 1"), file)
 
 
 def test_a_file_is_read(tmp_path: Path) -> None:
@@ -59,7 +88,7 @@ def test_a_wrong_file_is_refused(
 
 
 def test_a_missing_or_unreadable_file_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match="default, xeon, avx2, paper"):
+    with pytest.raises(UsageError, match="default, xeon, zen4, avx2, paper"):
         load_profile(str(tmp_path / "none.toml"))
     for name in (str(tmp_path), "nul\0byte"):
         with pytest.raises(InputError):

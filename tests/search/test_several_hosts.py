@@ -18,7 +18,7 @@ from adagen.schedule import CostProfile, Host, load_profile
 from adagen.schedule.costs import ChannelCosts
 from adagen.schedule.fat_tree import between_hosts
 from adagen.search import best_schedule
-from adagen.search.several_hosts import across_hosts, network_of, placed, state_time
+from adagen.search.several_hosts import across_hosts, batch_state_time, network_of, placed
 from tests.emitted import plan_of
 from tests.golden.make_models import MODELS
 from tests.models import serial_chain
@@ -82,7 +82,7 @@ def test_states_share_the_lanes_of_a_register() -> None:
     assert wide.steps is not None
     table = {**wide.steps.table, "process.register": 32.0}
     narrow = replace(wide, steps=replace(wide.steps, table=table))
-    assert state_time(model, narrow) == pytest.approx(2 * state_time(model, wide))
+    assert batch_state_time(model, narrow) == pytest.approx(2 * batch_state_time(model, wide))
 
 
 def test_states_of_long_chains_are_priced_one_by_one() -> None:
@@ -90,8 +90,8 @@ def test_states_of_long_chains_are_priced_one_by_one() -> None:
     model, xeon = serial_chain(520), load_profile("xeon")
     alone = best_schedule(model, 1, xeon, in_parts=True)
     assert alone.parts and not program_of(make_plan(model, alone), batch=True, profile=xeon).batch
-    assert state_time(model, xeon) == pytest.approx(alone.makespan)
-    assert state_time(serial_chain(500), xeon) < alone.makespan / 2
+    assert batch_state_time(model, xeon) == pytest.approx(alone.makespan)
+    assert batch_state_time(serial_chain(500), xeon) < alone.makespan / 2
 
 
 def test_it_is_said_in_words_and_as_json(
