@@ -38,7 +38,7 @@ from adagen.calibrate.samples import (
     stepwise_programs,
     straight_programs,
 )
-from adagen.calibrate.straight import faster_order, fit_straight, timed_stretches
+from adagen.calibrate.straight import faster_orders, fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11
 from adagen.cost import state_time, timeline
 from adagen.cost.features import operation_features
@@ -86,9 +86,9 @@ class _Measured:
     Attributes:
         labels: of the samples, in order.
         stepwise: of programs that go step by step.
-        straight: of straight lines of statements, in the faster order.
+        straight: of straight lines of statements, each in the faster order.
         batches: of batches; times are of one state.
-        ahead: which is that: one of ``ORDERS``.
+        urgent: statements up to which that is by what waits.
         channels: times of messages; None with one core.
         speeds: of the cores; () if they are alike.
         sizes: coefficients that are sizes of caches and registers.
@@ -98,7 +98,7 @@ class _Measured:
     stepwise: list[Sample]
     straight: list[Sample]
     batches: list[Sample]
-    ahead: float
+    urgent: float
     channels: Channels | None
     speeds: tuple[float, ...]
     sizes: dict[str, float]
@@ -173,7 +173,7 @@ def _measure(
     sizes = _sizes(toolchain)
     chosen, cache = stepwise_programs(profile, quick), sizes["unrolled.cache"]
     straight = [
-        each for ahead in ORDERS for each in straight_programs(in_order(profile, ahead, cache))
+        each for urgent in ORDERS for each in straight_programs(in_order(profile, urgent, cache))
     ]
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
     if cores < 2:
@@ -201,13 +201,13 @@ def _measure(
         Sample(each.lowered, combined(times)) for each, times in zip(wanted, found, strict=True)
     ]
     by_steps, straight_ones = len(chosen), len(chosen) + len(straight)
-    ahead, lines = faster_order(samples[by_steps:straight_ones])
+    urgent, lines = faster_orders(samples[by_steps:straight_ones])
     return _Measured(
         [each.label for each in (*wanted[: by_steps + len(lines)], *batches)],
         samples[:by_steps],
         lines,
         samples[straight_ones:],
-        ahead,
+        urgent,
         least_times(messages) if messages else None,
         speeds,
         sizes,
@@ -262,7 +262,7 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     table["process.evaluation"] = evaluation_cost(free)
     table |= fit_straight(timed_stretches(found.straight)) | found.sizes
     table |= fit_batches(found.batches, int(found.sizes["process.register"]))
-    table["unrolled.ahead"] = found.ahead
+    table |= {"unrolled.ahead": ASSUMED["unrolled.ahead"], "unrolled.urgent": found.urgent}
     if found.channels is not None:
         window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)
     else:

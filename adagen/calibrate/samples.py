@@ -132,8 +132,8 @@ themselves: runs are swept inwards number by number."""
 TOGETHER = (("crab", "gathered"), ("figure", "gathered"), ("line", "gathered"))
 """Robots and schedules of straight lines on two processes, which tell what it takes to meet."""
 
-ORDERS = (ASSUMED["unrolled.ahead"], 0.0)
-"""How many values are looked at for those that others wait for: straight lines are timed with each
+ORDERS = (LIMIT, 0.0)
+"""Statements of the longest line that is ordered by what waits: straight lines are timed with each
 of these, since the faster order depends on how many registers hold what is alive."""
 
 
@@ -269,16 +269,17 @@ def _robots() -> Iterator[Model]:
     yield prescribed(robot("driven", chain(20), ROWS, 16))
 
 
-def in_order(profile: CostProfile, ahead: float, cache: float) -> CostProfile:
+def in_order(profile: CostProfile, urgent: float, cache: float) -> CostProfile:
     """Return a profile by which straight lines are in another order.
 
     Args:
         profile: the rest of it.
-        ahead: how many values are looked at for those that others wait for.
+        urgent: statements of the longest line that is ordered by what waits.
         cache: bytes of the first instruction cache.
     """
     costs = step_costs(profile)
-    table = {**costs.table, "unrolled.ahead": ahead, "unrolled.cache": cache}
+    own = {"unrolled.urgent": urgent, "unrolled.ahead": ASSUMED["unrolled.ahead"]}
+    table = {**costs.table, **own, "unrolled.cache": cache}
     return replace(profile, steps=replace(costs, table=table))
 
 

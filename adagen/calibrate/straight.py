@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import log
 
 import numpy as np
@@ -14,6 +15,7 @@ from adagen.calibrate.nnls import nnls
 from adagen.calibrate.samples import ORDERS
 from adagen.cost.straight import straight_stretches
 from adagen.executor.stretches import SINES, WAITS, at_once
+from adagen.program import Program
 from adagen.schedule.costs import LIMIT
 
 Array = NDArray[np.float64]
@@ -56,17 +58,35 @@ class Timed:
         return [found.get(name, 0.0) for name in _NAMES]
 
 
-def faster_order(samples: Sequence[Sample]) -> tuple[float, list[Sample]]:
-    """Return which of ``ORDERS`` is the faster one, and the samples in it.
+def faster_orders(samples: Sequence[Sample]) -> tuple[float, list[Sample]]:
+    """Return up to how many statements lines are faster in the first of ``ORDERS``.
 
     Args:
         samples: the same programs in each order, one order after the other.
+
+    Returns:
+        That number, and the sample of each program in the order that it has by this number.
     """
     count = len(samples) // len(ORDERS)
-    offered = [samples[k * count : (k + 1) * count] for k in range(len(ORDERS))]
-    spent = [sum(log(each.measured.time) for each in own) for own in offered]
-    fastest = spent.index(min(spent))
-    return ORDERS[fastest], list(offered[fastest])
+    pairs = list(zip(samples[:count], samples[count:], strict=True))
+    sizes = [longest_line(first.program) for first, _ in pairs]
+    steps = sorted(set(sizes))
+    between = [(one + next_one) / 2 for one, next_one in pairwise(steps)]
+
+    def taken(urgent: float) -> list[Sample]:
+        return [pair[size > urgent] for pair, size in zip(pairs, sizes, strict=True)]
+
+    def spent(urgent: float) -> float:
+        return sum(log(each.measured.time) for each in taken(urgent))
+
+    urgent = min((ORDERS[0], ORDERS[1], *between), key=spent)
+    return urgent, taken(urgent)
+
+
+def longest_line(program: Program) -> float:
+    """Return the statements of the process that has the most."""
+    lines = straight_stretches(program, 0.0)
+    return max(sum(part.fetched for part in own) for own in lines)
 
 
 def timed_stretches(samples: Sequence[Sample]) -> list[Timed]:

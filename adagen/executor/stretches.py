@@ -11,7 +11,7 @@ costs more, as all of them are fetched in each evaluation.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import isinf, sqrt
 
@@ -55,7 +55,7 @@ class Stretch:
     @property
     def fetched(self) -> float:
         """Its statements whose instructions are fetched."""
-        return self.features["unrolled.operation"] + self.features["unrolled.move"]
+        return statements(self.features)
 
 
 WAITS, SINES = "unrolled.cycle", "unrolled.sine"
@@ -80,6 +80,11 @@ def work_of(operations: Operations, held: float) -> dict[str, float]:
         "unrolled.move": operations.moves,
         "unrolled.fetched": max(0.0, statements + operations.moves - held),
     }
+
+
+def statements(features: Mapping[str, float]) -> float:
+    """Return how many statements there are, by how often each coefficient counts."""
+    return features["unrolled.operation"] + features["unrolled.move"]
 
 
 def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[Stretch]:
@@ -120,7 +125,7 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
         if op in _COMPUTED:
             counts[here][mark] = counts[here].get(mark, 0) + 1
     work = work_of(simulated.operations, held)
-    line = 0.0 if isinf(held) else work["unrolled.operation"] + work["unrolled.move"]
+    line = 0.0 if isinf(held) else statements(work)
     swept = simulated.machine.swept
     if swept is not None:
         line += STATEMENTS

@@ -80,21 +80,23 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "process": ("evaluation", "margin", "cache", "register"),
     "unrolled": (
         *("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
-        *("evicted", "fits", "cache", "ahead"),
+        *("evicted", "fits", "cache", "ahead", "urgent"),
     ),
 }
-"""Groups with coefficients of their own, times but for eight.
+"""Groups with coefficients of their own, times but for nine.
 
-``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` and ``unrolled.fits`` are
-numbers of statements, ``unrolled.cache`` is the size of a core's first instruction cache in bytes,
-``process.cache`` that of its second-level cache (adagen/schedule/caches.py), ``process.register``
-that of its widest registers, ``unrolled.ahead`` is
-how many values are looked at for those that others wait for (adagen/emit/unrolled/order.py).
+``slaved.column`` and ``process.margin`` are shares, ``unrolled.held``, ``unrolled.fits`` and
+``unrolled.urgent`` are numbers of statements, ``unrolled.cache`` is the size of a core's first
+instruction cache in bytes, ``process.cache`` that of its second-level cache
+(adagen/schedule/caches.py), ``process.register`` that of its widest registers, and
+``unrolled.ahead`` is how many values are looked at for those that others wait for
+(adagen/emit/unrolled/order.py).
 
 ``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`);
 ``fetched`` is added for each statement beyond those whose decoded instructions are held, and
 ``evicted`` for each statement of a line that the first instruction cache does not fit: from
-beginning to end, its instructions displace those that come next.
+beginning to end, its instructions displace those that come next. Lines of up to ``urgent``
+statements are ordered by what waits, longer ones by step.
 """
 
 ASSUMED = {
@@ -102,6 +104,7 @@ ASSUMED = {
     "unrolled.fits": LIMIT,
     "unrolled.cache": 65536.0,
     "unrolled.ahead": 2000.0,
+    "unrolled.urgent": LIMIT,
     "process.cache": 2097152.0,
     "process.register": 64.0,
     "batch.revolute": 0.065,

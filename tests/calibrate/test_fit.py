@@ -29,7 +29,12 @@ from adagen.calibrate.samples import (
     stepwise_programs,
     straight_programs,
 )
-from adagen.calibrate.straight import faster_order, fit_straight, timed_stretches
+from adagen.calibrate.straight import (
+    faster_orders,
+    fit_straight,
+    longest_line,
+    timed_stretches,
+)
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text
 from adagen.cost import operation_features, state_time, timeline
@@ -177,19 +182,24 @@ def test_costs_of_straight_lines_are_found_again() -> None:
     found = fit_straight(timed_stretches([played(line, truth, 0.0, rng) for line in lines]))
     fitted = {name for name in NAMES if name.startswith("unrolled.")}
     # The machine tells the size of its cache, and the order is chosen before.
-    assert set(found) == fitted - {"unrolled.cache", "unrolled.ahead"}
+    assert set(found) == fitted - {"unrolled.cache", "unrolled.ahead", "unrolled.urgent"}
     assert found == pytest.approx({name: truth[name] for name in found}, rel=1e-5)
 
 
-def test_the_faster_order_of_lines_is_found() -> None:
-    lines = straight_programs(load_profile("paper"))[:3]
-    offered = {
-        ahead: [Sample(each.lowered, _taking(factor * (k + 1.0))) for k, each in enumerate(lines)]
-        for ahead, factor in zip(ORDERS, (1.3, 1.0), strict=True)
-    }
-    offered[ORDERS[0]][0] = Sample(lines[0].lowered, _taking(0.9))  # not of every line
-    ahead, found = faster_order([sample for own in offered.values() for sample in own])
-    assert (ahead, found) == (0.0, offered[0.0])
+@pytest.mark.parametrize("up_to", [0, 2, 5])
+def test_the_faster_order_of_lines_is_found(up_to: int) -> None:
+    """By what waits up to some length, by step beyond, whatever single lines say."""
+    offered = (each.lowered for each in straight_programs(load_profile("paper"))[:5])
+    lines = sorted(offered, key=longest_line)
+    assert len(set(map(longest_line, lines))) == 5
+    waiting = [Sample(line, _taking(0.8 if k < up_to else 1.3)) for k, line in enumerate(lines)]
+    by_step = [Sample(line, _taking(1.0)) for line in lines]
+    if up_to == 0:
+        waiting[2] = Sample(lines[2], _taking(0.9))
+    urgent, found = faster_orders([*waiting, *by_step])
+    assert found == [*waiting[:up_to], *by_step[up_to:]]
+    assert [longest_line(line) <= urgent for line in lines] == [k < up_to for k in range(5)]
+    assert (urgent in ORDERS) == (up_to != 2)
 
 
 def _taking(time: float) -> Measurement:

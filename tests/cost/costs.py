@@ -16,7 +16,7 @@ def step_costs(cores: tuple[float, ...] = (), **changes: float) -> StepCosts:
     """Return coefficients around 0.05 us; ``group__key=...`` changes one."""
     table = {name: 0.03 + 0.001 * k for k, name in enumerate(NAMES)}
     table["slaved.column"] = 0.1
-    for name in ("process.cache", "process.register", "unrolled.ahead"):
+    for name in ("process.cache", "process.register", "unrolled.ahead", "unrolled.urgent"):
         table[name] = ASSUMED[name]
     table.update({name.replace("__", "."): value for name, value in changes.items()})
     return StepCosts(table, WINDOW, MESSAGE, cores)

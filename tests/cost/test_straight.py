@@ -96,7 +96,7 @@ def test_everything_else_goes_step_by_step() -> None:
 def test_a_slow_core_and_dear_operations_take_longer() -> None:
     plan = plan_of(arm(9))
     base = predict(plan, step_profile(), "unrolled").makespan
-    without = ("fetched", "held", "move", "fits", "cache", "ahead")
+    without = ("fetched", "held", "move", "fits", "cache", "ahead", "urgent")
     assert predict(plan, step_profile(cores=(0.5,)), "unrolled").makespan == pytest.approx(2 * base)
     for name in (
         name

@@ -21,7 +21,7 @@ from adagen.emit.unrolled.order import (
     in_functions,
     limit_of_functions,
 )
-from adagen.executor import simulate
+from adagen.executor import simulate, statements, work_of
 from adagen.graph import Graph, live_nodes
 from adagen.plan import make_plan
 from adagen.plan.steps import Kinematics
@@ -176,6 +176,15 @@ def test_a_profile_may_keep_the_order_of_steps() -> None:
     assert kept == by_step(graph, plan.processes[0], values)
     (other,) = in_functions(graph, plan.processes[0], values, len(values), replace(pace, ahead=9))
     assert other != kept and sorted(other) == sorted(kept)
+
+
+def test_long_lines_may_keep_the_order_of_steps_where_short_ones_do_not() -> None:
+    (short,), (long,) = (simulate(plan_of(serial_chain(n), 1)) for n in (3, 9))
+    between = sum(statements(work_of(one.operations, 0.0)) for one in (short, long)) / 2
+    costs = replace(COSTS, table={**COSTS.table, "unrolled.urgent": between})
+    assert Pace.of(short.operations, 1, costs).ahead == AHEAD
+    assert Pace.of(long.operations, 1, costs).ahead == 0
+    assert Pace.of(long.operations, 1, COSTS).ahead == AHEAD
 
 
 def test_long_lines_have_short_functions() -> None:

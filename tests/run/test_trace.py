@@ -122,6 +122,7 @@ def test_answers_are_the_same_while_traced(solver: Solver, tmp_path: Path) -> No
 
 def test_a_program_is_measured_stage_by_stage(solver: Solver) -> None:
     program = Built.__new__(Built)  # built for tests, without the long optimisation
+    program.batch = False
     program.plan, program.toolchain = human_plan(), solver.toolchain
     program.executable = solver.executable
     runs = [program.measure(repeat=2, channel=channel) for channel in ("window", "message")]

@@ -5,8 +5,9 @@ registers and the first-level cache hold all live values; the reference field's 
 computed as soon as its motion is known. Functions are cut in this order. For a single state the
 values of a function are then ordered by the length of the chain that depends on them, so that no
 value on the longest chain is computed late. A processor looks some hundred statements ahead, so the
-values of one step may stay together within that distance. More values are alive at once then: where
-16 registers hold them, the order of steps may be the faster one, and a profile says so.
+values of one step may stay together within that distance. More values are alive at once then, the
+more of them the longer the line is: from some length on, or with 16 registers in every line, the
+order of steps may be the faster one, and a profile says so.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 from math import inf
 
-from adagen.executor import work_of
+from adagen.executor import statements, work_of
 from adagen.graph import Graph, Operations
 from adagen.plan.steps import Kinematics, LinkBias, StartLink
 from adagen.plan.types import Process
@@ -59,9 +60,14 @@ class Pace:
     @staticmethod
     def of(operations: Operations, values: int, costs: StepCosts) -> Pace:
         """Return the pace of a process with so many values."""
-        work = costs.total(work_of(operations, costs["unrolled.held"]))
-        told = (costs[f"unrolled.{name}"] for name in ("cycle", "cache", "ahead"))
-        return Pace(work / max(1, values), *told)
+        counts = work_of(operations, costs["unrolled.held"])
+        urgent = statements(counts) <= costs["unrolled.urgent"]
+        return Pace(
+            costs.total(counts) / max(1, values),
+            costs["unrolled.cycle"],
+            costs["unrolled.cache"],
+            costs["unrolled.ahead"] if urgent else 0.0,
+        )
 
 
 def in_functions(
