@@ -20,7 +20,9 @@ def batch_prediction(made: Compiled) -> str:
     profile = made.request.profile
     if made.predicted is None:
         return f"the time of batches is not predicted: the profile {profile} prices joins alone"
-    return f"{1e3 * made.predicted:.3g} ns a state predicted ({made.schedule.profile} profile)"
+    time = made.predicted
+    told = f"{1e3 * time:.3g} ns" if time < 0.9995 else f"{time:.3g} us"
+    return f"{told} a state predicted ({made.schedule.profile} profile)"
 
 
 def prediction(schedule: Schedule, line: Timeline | None) -> str:

@@ -62,12 +62,19 @@ class Timeline:
         exchanges: messages between processes.
         makespan: when the last process is done.
         source: ``predicted`` or ``measured``.
+        states: how many are solved at once: in a batch, those that a register holds.
     """
 
     intervals: tuple[Interval, ...]
     exchanges: tuple[Exchange, ...]
     makespan: float
     source: str
+    states: int = 1
+
+    @property
+    def state_time(self) -> float:
+        """Time of a process for one state."""
+        return self.makespan / self.states
 
     @property
     def calls(self) -> tuple[Interval, ...]:
@@ -137,8 +144,7 @@ def state_time(program: Program, profile: CostProfile) -> float:
     Raises:
         ValueError: the profile prices joins alone, as the paper's does.
     """
-    register = profile.measured["process.register"]
-    return timeline(program, profile).makespan / states_at_once(program, register)
+    return timeline(program, profile).state_time
 
 
 @dataclass
@@ -174,7 +180,9 @@ class _Play:
         reached = by_turns(lengths, self._advance)
         assert reached == lengths, "a program whose processes wait for each other"
         order = sorted(self.intervals, key=lambda i: (i.process, i.start, i.end))
-        return Timeline(tuple(order), tuple(self.exchanges), max(self.clock), "predicted")
+        states = states_at_once(self.program, self.costs["process.register"])
+        end = max(self.clock)
+        return Timeline(tuple(order), tuple(self.exchanges), end, "predicted", states)
 
     def _advance(self, p: int, place: int) -> bool:
         """Run an operation of a process; return whether that is possible now."""

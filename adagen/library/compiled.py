@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from adagen.cost import state_time, timeline
+from adagen.cost import timeline
 from adagen.drawing import draw
 from adagen.emit import emit, program_of
 from adagen.errors import InputError, UsageError
@@ -109,7 +109,6 @@ def emitted(model: Model, origin: Origin, chosen: Chosen, plan: Plan) -> Compile
         batch=request.batch,
         profile=profile,
     )
-    priced = profile.steps is not None
     files = emit(
         plan,
         name=model_stem(origin.path) if request.name is None else request.name,
@@ -125,8 +124,7 @@ def emitted(model: Model, origin: Origin, chosen: Chosen, plan: Plan) -> Compile
         target=request.target,
     )
     check_answer(model, plan, program)
-    line = timeline(program, profile) if priced and not request.batch else None
-    predicted = state_time(program, profile) if priced else None
+    line = None if profile.steps is None else timeline(program, profile)
     inputs = inputs_of(origin, request)
     return Compiled(
         model,
@@ -136,7 +134,6 @@ def emitted(model: Model, origin: Origin, chosen: Chosen, plan: Plan) -> Compile
         plan,
         program,
         line,
-        predicted,
         files,
         inputs,
         chosen.unpaid_in_words,

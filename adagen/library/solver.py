@@ -53,10 +53,8 @@ class Compiled:
             one process is that of its steps one by one. ``predicted`` is of what is emitted.
         plan: what each process computes.
         program: what runs, operation by operation.
-        timeline: the predicted course of an evaluation; None if the profile or a batch leaves it
-            open.
-        predicted: time of an evaluation, or of a state of a batch, microseconds; None if the
-            profile leaves it open.
+        timeline: the predicted course of an evaluation, in a batch of those states that a register
+            holds; None if the profile leaves it open.
         files: file name to text: source, header, plan, drawing, Makefile, CMakeLists.txt, ...
         inputs: what it was made from beside the robot, such as scene and cost profile.
         unpaid: what is to be said of processes that do not pay; empty where they do.
@@ -69,7 +67,6 @@ class Compiled:
     plan: Plan
     program: Program
     timeline: Timeline | None
-    predicted: float | None
     files: dict[str, str] = field(repr=False)
     inputs: tuple[Input, ...] = field(default=(), repr=False)
     unpaid: str = field(default="", repr=False)
@@ -99,6 +96,14 @@ class Compiled:
     def header(self) -> str:
         """The C header."""
         return self.files[f"{self.stem}.h"]
+
+    @property
+    def predicted(self) -> float | None:
+        """Predicted time of an evaluation, of a batch of a state of it, microseconds.
+
+        None if there is no prediction.
+        """
+        return None if self.timeline is None else self.timeline.state_time
 
     @property
     def digits(self) -> float | None:

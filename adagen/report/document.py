@@ -79,7 +79,8 @@ def document(
         remarks: warnings, and what is not modelled.
     """
     program = made.program
-    phases = {} if made.timeline is None else _phases(program, made.timeline)
+    predicted = None if made.request.batch else made.timeline
+    phases = {} if predicted is None else _phases(program, predicted)
     return {
         "version": VERSION,
         "robot": robot(made.model, owners(program)),
@@ -94,7 +95,7 @@ def document(
             "lanes": [{"process": p, "lanes": limbs.lanes} for p, limbs in lanes(program)],
             "timelines": [
                 _timeline(program, line, phases)
-                for line in (made.timeline, None if measured is None else measured.timeline)
+                for line in (predicted, None if measured is None else measured.timeline)
                 if line is not None
             ],
         },
@@ -109,10 +110,10 @@ def document(
 
 def _untimed(made: Compiled) -> str | None:
     """Return why no timeline is predicted; None where one is."""
+    if made.request.batch:
+        return "No timeline is shown of a batch: processes share its states."
     if made.timeline is not None:
         return None
-    if made.request.batch:
-        return "No timeline is predicted of a batch: processes share its states."
     return f"No timeline is predicted: the profile {made.request.profile} prices joins alone."
 
 
