@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
+from adagen.build.processor import told
 from adagen.build.toolchain import Toolchain
 from adagen.errors import EnvironmentFault, printable
 
@@ -266,10 +267,9 @@ def _eigen_version(eigen: Path) -> str:
 
 def _processor() -> str:
     """Return what -march=native depends on: a home folder may be shared between machines."""
-    with suppress(OSError):
-        text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
-        lines = re.findall(r"^(?:model name|flags|Features|CPU part)\s*:.*$", text, re.MULTILINE)
-        return "\n".join(sorted(set(lines)))
+    keys = ("model name", "flags", "Features", "CPU part")
+    if found := {f"{key}: {each}" for key in keys for each in told(key)}:
+        return "\n".join(sorted(found))
     return f"{platform.machine()} {platform.processor()}"
 
 

@@ -1,26 +1,38 @@
-"""Which processor this is."""
+"""Which processor this is, as Linux tells it."""
 
 from __future__ import annotations
 
+import platform
 import re
 from pathlib import Path
 
 TOLD = Path("/proc/cpuinfo")
 
 
-def processor(told: Path = TOLD) -> tuple[str, int] | None:
-    """Return the maker's name and the family of this machine's processor.
+def told(key: str, file: Path = TOLD) -> list[str]:
+    """Return what is told of each core under a key; nothing where nothing is told.
 
     Args:
-        told: where Linux tells it.
-
-    Returns:
-        None if it is no x86 processor, or the system does not tell.
+        key: such as "model name".
+        file: where Linux tells it.
     """
     try:
-        text = told.read_text(encoding="utf-8", errors="replace")
+        text = file.read_text(encoding="utf-8", errors="replace")
     except OSError:
-        return None
-    maker = re.search(r"^vendor_id\s*: (\S+)$", text, re.MULTILINE)
-    family = re.search(r"^cpu family\s*: (\d+)$", text, re.MULTILINE)
-    return (maker[1], int(family[1])) if maker and family else None
+        return []
+    return re.findall(rf"^{re.escape(key)}\s*: *(.*)$", text, re.MULTILINE)
+
+
+def processor_name() -> str:
+    """Return the processor's name."""
+    return next(iter(told("model name")), "") or platform.processor() or platform.machine()
+
+
+def processor_family(file: Path = TOLD) -> tuple[str, int] | None:
+    """Return the maker's name and the family of an x86 processor; None if that is not told.
+
+    Args:
+        file: where Linux tells it.
+    """
+    makers, families = told("vendor_id", file), told("cpu family", file)
+    return (makers[0], int(families[0])) if makers and families else None

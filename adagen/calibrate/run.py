@@ -200,13 +200,13 @@ def _measure(
     samples = [
         Sample(each.lowered, combined(times)) for each, times in zip(wanted, found, strict=True)
     ]
-    by_steps, straight_ones = len(chosen), len(chosen) + len(straight)
-    urgent, lines = faster_orders(samples[by_steps:straight_ones])
+    first, end = len(chosen), len(chosen) + len(straight)  # of straight lines
+    urgent, lines = faster_orders(samples[first:end])
     return _Measured(
-        [each.label for each in (*wanted[: by_steps + len(lines)], *batches)],
-        samples[:by_steps],
+        [each.label for each in (*wanted[: first + len(lines)], *batches)],
+        samples[:first],
         lines,
-        samples[straight_ones:],
+        samples[end:],
         urgent,
         least_times(messages) if messages else None,
         speeds,
@@ -240,7 +240,7 @@ def _built(
             toolchain,
             each.shape,
             profile=each.profile,
-            limbs=None if each.batch else each.limbs,
+            limbs=each.limbs,
             batch=each.batch,
         )
 

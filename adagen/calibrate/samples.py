@@ -145,7 +145,7 @@ class Wanted:
         label: what tables call it.
         plan: its plan.
         shape: of the code.
-        limbs: those that each process takes side by side.
+        limbs: those that each process takes side by side; None where lanes hold states.
         profile: chooses the methods.
         batch: whether each lane holds a state.
     """
@@ -153,7 +153,7 @@ class Wanted:
     label: str
     plan: Plan
     shape: str
-    limbs: Grouping
+    limbs: Grouping | None
     profile: CostProfile
     batch: bool = False
 
@@ -353,7 +353,7 @@ def batch_programs(profile: CostProfile) -> list[Wanted]:
             f"batch {'of loops ' if shape == 'kernels' else ''}{model.name}",
             _plan(model, "segment", 1, 1, "", profile),
             shape,
-            ((),),
+            None,
             profile,
             batch=True,
         )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import json
-import platform
 import re
 import time
 from collections.abc import Iterator, Sequence
@@ -208,14 +207,10 @@ def _remark(found: Calibration) -> str:
 
 
 def _machine() -> str:
-    """Return the processor's name, as far as the system tells."""
-    try:
-        text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
-    except OSError:
-        text = ""
-    found = re.search(r"^model name\s*:\s*(.+)$", text, re.MULTILINE)
-    name = found[1] if found else platform.processor() or platform.machine()
-    return "".join(c for c in name if c.isprintable())[:80]
+    """Return the processor's name on a line of its own."""
+    from adagen.build.processor import processor_name
+
+    return "".join(c for c in processor_name() if c.isprintable())[:80]
 
 
 def _typical(found: Calibration) -> float:

@@ -59,12 +59,12 @@ def run(argv: Sequence[str]) -> int:
         print(lines[options.which])
         return 0
 
-    from adagen.build.processor import processor
+    from adagen.build.processor import processor_family
     from adagen.build.registers import widest_register
     from adagen.schedule.profile import shipped_for
 
     register = widest_register(toolchain)
-    profile = shipped_for(register, processor())
+    profile = shipped_for(register, processor_family())
     if options.which == "json":
         report: dict[str, object] = {
             "cxx": list(toolchain.cxx),

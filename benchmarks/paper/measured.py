@@ -6,12 +6,12 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from adagen.build.processor import processor_name
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.run import cores
 from adagen.schedule import Schedule
 from adagen.studies.bench.contest import Contestant, Times
-from adagen.studies.bench.machine import processor
 from adagen.urdf import read_robot
 from benchmarks.solvers import by_turns, contestant, source_of
 
@@ -47,4 +47,4 @@ def played(program: Contestant) -> bool:
 
 def machine() -> str:
     """Return in a few words what this machine is."""
-    return f"{processor()}, {cores()} cores"
+    return f"{processor_name()}, {cores()} cores"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from adagen.build.processor import processor
+from adagen.build.processor import processor_family, processor_name, told
 
 EPYC = """processor\t: 0
 vendor_id\t: AuthenticAMD
@@ -23,7 +23,9 @@ ARM = "processor\t: 0\nBogoMIPS\t: 50.00\nCPU implementer\t: 0x41\n"
 def test_linux_tells_maker_and_family(
     text: str | None, found: tuple[str, int] | None, tmp_path: Path
 ) -> None:
-    told = tmp_path / "cpuinfo"
+    file = tmp_path / "cpuinfo"
     if text is not None:
-        told.write_text(text)
-    assert processor(told) == found
+        file.write_text(text)
+    assert processor_family(file) == found
+    assert told("model name", file) == (["AMD EPYC"] if text == EPYC else [])
+    assert processor_name()

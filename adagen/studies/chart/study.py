@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 from statistics import median
 
 from adagen.build import Toolchain
+from adagen.build.processor import processor_name
 from adagen.emit import stem_of
 from adagen.errors import AdagenError
 from adagen.executor.join_digits import predicted_growth
 from adagen.model import Model
 from adagen.studies.bench.contest import Contestant, Rules, Times, from_stretches, hold
 from adagen.studies.bench.emitted import Emitted, all_built
-from adagen.studies.bench.machine import processor
 from adagen.studies.chart.record import Chart, Point, marked, mechanism_of
 from adagen.studies.chart.variants import REFERENCE, Variant
 from adagen.studies.truth import Truth
@@ -78,7 +78,7 @@ def chart_of(
         count,
         digits,
         study.rounds,
-        processor(),
+        processor_name(),
         marked(with_times),
         mechanism_of(model),
     )
