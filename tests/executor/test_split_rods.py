@@ -7,10 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from flint import ctx
 from numpy.typing import NDArray
 
 from adagen.executor import chosen_grouping, interpret, simulate
 from adagen.executor.solve import Run, SingularPoseError
+from adagen.graph import BALLS
 from adagen.model import (
     BASE,
     FLOATING,
@@ -207,8 +209,13 @@ def test_hinges_near_one_plane_are_solved_in_another_way(short: float, poor: boo
             usual.check()
     else:
         usual.check()
-    truth = closed_forward_dynamics(model, q, v, tau)
-    assert np.abs(interpret(plan, q, v, tau) - truth).max() < 1e-9 * np.abs(truth).max()
+    found = interpret(plan, q, v, tau)
+    with ctx.workprec(700):
+        truth = np.array([float(x) for x in interpret(plan.alternatives[-1], q, v, tau, BALLS)])
+    assert np.abs(found - truth).max() < 1e-11 * np.abs(truth).max()
+    # Loops are closed up to rounding only, which dense algebra without weights takes otherwise.
+    dense = closed_forward_dynamics(model, q, v, tau)
+    assert np.abs(found - dense).max() < 1e-7 * np.abs(dense).max()
 
 
 def at_angle(angle: float) -> tuple[Model, Array]:
