@@ -7,6 +7,7 @@
     python -m benchmarks.certificates chains [the same]
     python -m benchmarks.certificates predicted [the same]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
+    python -m benchmarks.certificates real [NAME ...] [--write FILE]
     python -m benchmarks.certificates mechanisms [NAME ...] [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
@@ -15,13 +16,13 @@ threads share, long arms that two share, and batches that two processes of MPI s
 long chains of hinges, whole and in parts, one in each SIMD lane; "loops" takes
 mechanisms with closed loops, half of their states as near singular ones as are found, and compares
 with the plan in 400 bits: which rows are left out where they follow from others is its choice, and
-a state in doubles closes loops up to rounding only. Times are minima
-of runs with and without certificates by turns, of robots or, for "mechanisms", of
-benchmarks/closed_robots.py; loops are in a scene of the robot's name beside it. "predicted" lays
-the largest error of each robot of "errors" beside the one that is predicted for it in hard poses,
-errors above 1 counted as 1. With --record,
-what was found of each robot is a line of JSON in a file: the command again goes on with the robots
-that are not there yet. Each table has a file of its own.
+a state in doubles closes loops up to rounding only. Times are minima of runs with and without
+certificates by turns, of robots or, for "mechanisms", of benchmarks/closed_robots.py; loops are in
+a scene of the robot's name beside it. "real" takes robots of benchmarks/choice.py, in the shape
+that is chosen by the profile of this machine's processor, and medians. "predicted" lays the largest
+error of each robot of "errors" beside the one that is predicted for it in hard poses, errors above
+1 counted as 1. With --record, what was found of each robot is a line of JSON in a file: the command
+again goes on with the robots that are not there yet. Each table has a file of its own.
 """
 
 from __future__ import annotations
@@ -29,28 +30,35 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 import numpy as np
 
 import adagen
-from adagen.build import Toolchain
+from adagen.build import Toolchain, find_toolchain
+from adagen.build.processor import processor_family
+from adagen.build.registers import widest_register
 from adagen.errors import AdagenError
 from adagen.model import Model
-from adagen.plan import make_plan
+from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified
 from adagen.schedule import load_profile
+from adagen.schedule.profile import shipped_for
 from adagen.search import best_schedule
 from adagen.search.objective import predicted_digits
 from adagen.states import States
 from adagen.studies.bench.report import table
+from benchmarks.choice import ROBOTS as REAL
 from benchmarks.closed_robots import MECHANISMS
-from benchmarks.hard import Asked, fastest, hard_mechanisms, hard_robots, study
+from benchmarks.hard import Asked, fastest, hard_mechanisms, hard_robots, raced, study
 from benchmarks.page import MODELS, Record
 from benchmarks.solvers import source_of, tell
 from benchmarks.stability.adversary import arms, long_chains, trees
 from benchmarks.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 
+PAIRS = 21
+TIMED = ("plain, ns", "certified, ns", "ratio")
 EVERY = 1000  # rows that a loop sweeps: more than robots have
 WAYS = [
     Certified("unrolled"),
@@ -201,19 +209,42 @@ def measured_times(files: Sequence[str]) -> list[str]:
         robot = adagen.read(path, scene=scene if scene.exists() else None)
         for shape, batch in SHAPES:
             try:
-                found = {
-                    what: adagen.compile(robot, shape=shape, batch=batch, certify=what != "plain")
-                    for what in ("plain", "certified")
-                }
+                plain, certified = fastest(robot.model, _made(robot, shape=shape, batch=batch))
             except AdagenError as error:
                 tell(f"{path.stem}, {shape}: {error}")
                 continue
-            solvers = {what: (made.plan, made.source) for what, made in found.items()}
-            plain, certified = fastest(robot.model, solvers)
-            name = f"{shape}{', batch' * batch}"
-            ratio = f"{certified / plain:.2f}"
+            name, ratio = f"{shape}{', batch' * batch}", f"{certified / plain:.2f}"
             rows.append((path.stem, name, f"{plain:.0f}", f"{certified:.0f}", ratio))
-    return list(table(("robot", "shape", "plain, ns", "certified, ns", "ratio"), rows))
+    return list(table(("robot", "shape", *TIMED), rows))
+
+
+def measured_real(names: Sequence[str]) -> list[str]:
+    """Return the table of times of real robots, as ``--shape auto`` emits them here.
+
+    Medians of rounds; a ratio is the median of those of two turns of one round, between which a
+    machine that others share hardly changes its speed.
+    """
+    profile = shipped_for(widest_register(find_toolchain()), processor_family())
+    tell(f"profile {profile}")
+    rows = []
+    for name in names:
+        file, floating = REAL[name]
+        robot = adagen.read(file, floating=floating)
+        cells = [name, str(robot.model.nv)]
+        for batch in (False, True):
+            plain, certified = raced(robot.model, _made(robot, profile=profile, batch=batch), PAIRS)
+            ratio = median(b / a for a, b in zip(plain.turns, certified.turns, strict=True))
+            cells += [f"{plain.median:.0f}", f"{certified.median:.0f}", f"{ratio:.2f}"]
+        tell(" ".join(cells))
+        rows.append(cells)
+    head = ("robot", "DOF", *TIMED, *(f"batch: {what}" for what in TIMED))
+    return list(table(head, rows))
+
+
+def _made(robot: adagen.Robot, **asked: Any) -> dict[str, tuple[Plan, str]]:
+    """Return a robot's plain solver and the certified one: plans and sources."""
+    made = {str(k): adagen.compile(robot, certify=bool(k), **asked) for k in (0, 1)}
+    return {name: (one.plan, one.source) for name, one in made.items()}
 
 
 def measured_mechanisms(names: Sequence[str]) -> list[str]:
@@ -252,6 +283,7 @@ def main() -> None:
     }
     times = {
         "times": (measured_times, ROBOTS),
+        "real": (measured_real, tuple(REAL)),
         "mechanisms": (measured_mechanisms, tuple(MECHANISMS)),
     }
     study("certificates", __doc__, usual, tables, times)

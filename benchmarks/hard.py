@@ -15,6 +15,7 @@ from adagen.build import Toolchain, find_toolchain
 from adagen.model import Model
 from adagen.plan import Plan
 from adagen.states import States
+from adagen.studies.bench.contest import Times
 from adagen.studies.random_states import hard_states
 from benchmarks.page import Record, command, publish
 from benchmarks.solvers import by_turns, contestant
@@ -54,7 +55,7 @@ class Asked:
 
 Errors = Callable[[Asked, Record, Toolchain], list[str]]
 """A table of errors of hard states of random robots."""
-Times = Callable[[Sequence[str]], list[str]]
+Timed = Callable[[Sequence[str]], list[str]]
 """A table of times of robots by their names, or by the files of their descriptions."""
 
 
@@ -85,8 +86,19 @@ def fastest(model: Model, solvers: Mapping[str, tuple[Plan, str]]) -> list[float
         model: the robot.
         solvers: plans and sources by name.
     """
-    times = by_turns([contestant(name, model, *one) for name, one in solvers.items()], ROUNDS)
-    return [times[name]["in_place"].least for name in solvers]
+    return [times.least for times in raced(model, solvers, ROUNDS)]
+
+
+def raced(model: Model, solvers: Mapping[str, tuple[Plan, str]], rounds: int) -> list[Times]:
+    """Times of evaluations by each of a robot's solvers, by turns.
+
+    Args:
+        model: the robot.
+        solvers: plans and sources by name.
+        rounds: in each of which all of them have a turn, one after the other.
+    """
+    times = by_turns([contestant(name, model, *one) for name, one in solvers.items()], rounds)
+    return [times[name]["in_place"] for name in solvers]
 
 
 def study(
@@ -94,7 +106,7 @@ def study(
     about: str | None,
     usual: Asked,
     errors: Mapping[str, Errors],
-    times: Mapping[str, tuple[Times, Sequence[str]]],
+    times: Mapping[str, tuple[Timed, Sequence[str]]],
 ) -> None:
     """Print a table, or put it into a document; what the command line of a study does.
 
