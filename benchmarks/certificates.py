@@ -57,7 +57,7 @@ from benchmarks.solvers import source_of, tell
 from benchmarks.stability.adversary import arms, long_chains, trees
 from benchmarks.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 
-PAIRS = 21
+PAIRS = 21  # rounds, in each of which the plain solver and the certified one have a turn
 TIMED = ("plain, ns", "certified, ns", "ratio")
 EVERY = 1000  # rows that a loop sweeps: more than robots have
 WAYS = [

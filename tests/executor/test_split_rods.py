@@ -7,12 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from flint import ctx
 from numpy.typing import NDArray
 
 from adagen.executor import chosen_grouping, interpret, simulate
 from adagen.executor.solve import Run, SingularPoseError
-from adagen.graph import BALLS
 from adagen.model import (
     BASE,
     FLOATING,
@@ -30,7 +28,7 @@ from adagen.plan.similar_closures import side_by_side
 from adagen.plan.split_rods import RodHalf, rod_halves_in
 from adagen.program import check
 from adagen.program.lower import lower
-from adagen.reference.closed import closed_forward_dynamics, closed_states, pose_of
+from adagen.reference.closed import closed_forward_dynamics, closed_states, closest, pose_of
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.states import States
@@ -209,13 +207,8 @@ def test_hinges_near_one_plane_are_solved_in_another_way(short: float, poor: boo
             usual.check()
     else:
         usual.check()
-    found = interpret(plan, q, v, tau)
-    with ctx.workprec(700):
-        truth = np.array([float(x) for x in interpret(plan.alternatives[-1], q, v, tau, BALLS)])
-    assert np.abs(found - truth).max() < 1e-11 * np.abs(truth).max()
-    # Loops are closed up to rounding only, which dense algebra without weights takes otherwise.
-    dense = closed_forward_dynamics(model, q, v, tau)
-    assert np.abs(found - dense).max() < 1e-7 * np.abs(dense).max()
+    truth = closed_forward_dynamics(model, q, v, tau)
+    assert np.abs(interpret(plan, q, v, tau) - truth).max() < 1e-9 * np.abs(truth).max()
 
 
 def at_angle(angle: float) -> tuple[Model, Array]:
@@ -238,7 +231,8 @@ def at_angle(angle: float) -> tuple[Model, Array]:
         else:
             first = balls.q_start[names.index(joint.name)]
             q.append(list(closed[first : first + joint.kind.nq]))
-    return model, np.concatenate(q)
+    # Angles of a turn near gimbal lock lose digits, which would leave the loop open.
+    return model, closest(model, np.concatenate(q)[None])[0]
 
 
 def _about_y(angle: float) -> Array:

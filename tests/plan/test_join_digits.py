@@ -23,8 +23,6 @@ from tests.models import human_figure, serial_chain
 from tests.plan.test_parts import hinges
 from tests.schedules import random_schedule
 
-HALF_A_DECADE = 10**0.5
-
 
 @pytest.mark.parametrize("ratio", [1e-4, 1e-6, 1e-8])
 def test_the_prediction_is_right_within_two_digits(ratio: float) -> None:
@@ -75,9 +73,9 @@ def test_one_run_tells_of_long_chains_what_growth_and_refinement_tell(
         v, tau = generic_motion(plan.nv, 1)
         (size,) = interpret_refined(plan, q, v, tau, steps=1).corrections
         truth = exact_forward_dynamics(model, q, v, tau).value
-        error = interpret(plan, q, v, tau) - truth
+        error = interpret(plan, q, v, tau, once=True) - truth
         true = energy_norm_error(joint_space_inertia(model, q), error, truth)
-        # A few roundings are all there is, and other processors round sums of products otherwise.
+        # Neither knows how the plan's constants are rounded, a part of these few roundings.
         for told in (loss * EPSILON["double"] / EPSILON[scalar], size):
-            assert HALF_A_DECADE * true > told > true / HALF_A_DECADE
+            assert true / 2 < told < true * 2
         assert growth_and_loss(make_plan(sprung, schedule, scalar=scalar)) == found
