@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from flint import ctx
 from numpy.typing import NDArray
 
 from adagen.errors import UsageError
@@ -205,8 +206,11 @@ def test_processes_that_share_a_robot_find_the_bound_of_one(name: str) -> None:
         for state in states.each:
             _, error, answer = _squares(one, state)
             _, shared, as_large = _squares(plan, state)
-            assert np.sqrt(shared / error) == pytest.approx(1, abs=0.1)
+            assert np.sqrt(shared / error) == pytest.approx(1, abs=0.3)  # by what rounding shows
             assert as_large == pytest.approx(answer, rel=1e-12)
+            with ctx.workprec(200):  # nothing shows: what rounding is allowed is left
+                allowed, together = (_squares(each, state, BALLS)[1] for each in (one, plan))
+            assert together == pytest.approx(allowed, rel=1e-12)
 
 
 ELSEWHERE: dict[str, Callable[[], Model]] = {
