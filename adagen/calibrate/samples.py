@@ -288,8 +288,8 @@ def straight_programs(profile: CostProfile) -> list[Wanted]:
 
     Their operations for each degree of freedom differ, and so does what waits for what; some are so
     long that their instructions are fetched anew in each evaluation, and some have limbs in lanes;
-    the longest, with and without lanes, are taken in one grouping each. Those of ``TOGETHER`` come
-    last.
+    the longest, with and without lanes, are taken in one grouping each. Limbs of single joints in
+    lanes, of grippers, are mostly numbers moved. Those of ``TOGETHER`` come last.
     """
     robots = [
         robot("pair", chain(2), ["revolute"], 1),
@@ -302,6 +302,8 @@ def straight_programs(profile: CostProfile) -> list[Wanted]:
         robot("crab", star(4, 4), ["revolute"], 22),
         squared(robot("beast", star(4, 3), ["floating", *["revolute"] * 12], 29)),
         squared(robot("figure", crew((2, 6), (2, 7)), ["floating", *["revolute"] * 26], 30)),
+        squared(robot("porter", claws(2, 7, 4, 1), ["revolute"], 31)),
+        squared(robot("palm", crew((4, 5), (4, 1), (2, 1)), ["revolute"], 33)),
     ]
     long = [
         squared(robot("twine", chain(46), ["revolute"], 3)),

@@ -90,4 +90,5 @@ def test_no_answer_without_digits(most: int, monkeypatch: pytest.MonkeyPatch) ->
         assert error < 1e-8
     closures.closures_of.cache_clear()
     assert not refused[1e-3]
-    assert "singular pose" in refused[1e-9]
+    # Rounding that differs among processors says which is seen first.
+    assert any(word in refused[1e-9] for word in ("singular pose", "can move without inertia"))
