@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from adagen.cost.features import Features, added
+from adagen.cost.features import Features, added, weighed
 from adagen.cost.straight import straight_stretches
 from adagen.executor.stretches import SINES
 from adagen.model import KINDS
@@ -34,6 +34,7 @@ def batch_features(program: Program) -> Features:
 def _computed(program: Program) -> Iterator[Features]:
     if program.shape != "unrolled":
         yield from ({f"{BATCH}.{joint.kind}": 1.0} for joint in program.plan.joints)
+        yield from _beside(program)
         return
     for process in straight_stretches(program, math.inf):
         for part in process:
@@ -41,6 +42,18 @@ def _computed(program: Program) -> Iterator[Features]:
                 f"{BATCH}.operation": part.features["unrolled.operation"],
                 f"{BATCH}.sine": part.features[SINES],
             }
+
+
+def _beside(program: Program) -> Iterator[Features]:
+    """What loops cost beside their joints: own axes, and sweeps of residuals."""
+    joints = len(program.plan.joints)
+    for process in program.processes:
+        for operation in process.operations:
+            if operation.method == "turned":
+                yield {f"{BATCH}.turned": len(operation.steps)}
+            for step in operation.steps:
+                if swept := len(weighed(step, joints)):
+                    yield {f"{BATCH}.weighed": swept}
 
 
 def _moved(plan: Plan) -> int:

@@ -171,9 +171,7 @@ def _join(step: Join, kind: str, group: str) -> Features:
 def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
     """Features of a step that does not depend on the joint; None for others."""
     if isinstance(step, Certify | Refine):
-        times = step.count if isinstance(step, Refine) else 1
-        own = (step.joints if isinstance(step, Certify) else ()) or range(len(joints))
-        return added(times * [_weighed(joints[j]) for j in own])
+        return added(_weighed(joints[j]) for j in weighed(step, len(joints)))
     if isinstance(step, Traverse):
         run = range(step.passage.first, step.passage.last + 1)
         return added({f"kinematics.{joints[j].kind}": 1} for j in run)
@@ -181,6 +179,18 @@ def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
         return {}
     plain = _PLAIN.get(type(step))
     return None if plain is None else {plain: 1}
+
+
+def weighed(step: Step, joints: int) -> Sequence[int]:
+    """Return the joints of a residual sweep, once for each time; none of other steps.
+
+    Args:
+        step: a step of a plan.
+        joints: how many joints the plan has.
+    """
+    if isinstance(step, Refine):
+        return step.count * [*range(joints)]
+    return (step.joints or range(joints)) if isinstance(step, Certify) else ()
 
 
 def _weighed(joint: PlanJoint) -> Features:

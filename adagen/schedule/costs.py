@@ -47,7 +47,7 @@ PER_KIND: dict[str, tuple[str, ...]] = {
     "passing_strips": (),
     "propagate_run": ("run", "product"),
     "propagate_along": (),
-    BATCH: ("operation", "sine", "number"),
+    BATCH: ("turned", "weighed", "operation", "sine", "number"),
 }
 """Groups with a coefficient per joint kind, and what else each has.
 
@@ -66,7 +66,8 @@ before, and ``propagate_run`` of runs whose mobility is asked for at the last li
 is a product of 6x6 matrices that they need beyond their joints and ``run``. ``propagate_along`` is
 the same where unit wrenches go along with the sweep inwards, by columns; ``deliver.along`` brings a
 force to a joint of such a run. ``batch`` prices a register full of states, not their parts: in
-loops their joints, in straight lines their operations and angles, and in both the numbers that are
+loops their joints (``turned`` is added for each in its own axes, ``weighed`` for each where answers
+are certified), in straight lines their operations and angles, and in both the numbers that are
 moved into lanes and out of them.
 """
 
@@ -112,6 +113,8 @@ ASSUMED = {
     "batch.spherical": 0.074,
     "batch.planar": 0.119,
     "batch.floating": 0.1,
+    "batch.turned": 0.0547,
+    "batch.weighed": 0.026,
     "batch.operation": 0.000158,
     "batch.sine": 0.00318,
     "batch.number": 0.00187,

@@ -2,7 +2,7 @@
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --schedule=../models/humanoid_at_torso.json --shape=kernels
 // input     schedule, sha256 35c4c70f0b4c25ef442163ea2ff1fb2b75e983f3e3c7bd1a57b0eace91566f4f
-// input     profile default, sha256 9ec819377fad5d8b3aefc8977e0518fd0f5f9a5b8c906163fe928740af311778
+// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_p2.h
 // program   2 processes, gathered at torso; 0.52 us predicted (default profile)

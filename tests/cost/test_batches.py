@@ -7,7 +7,7 @@ from math import inf
 
 import pytest
 
-from adagen.calibrate.robots import chain, robot
+from adagen.calibrate.robots import chain, hollow, robot
 from adagen.cost import state_time, timeline
 from adagen.cost.batches import batch_features, states_at_once
 from adagen.cost.straight import straight_stretches
@@ -15,6 +15,7 @@ from adagen.emit import program_of
 from adagen.emit.shapes import chosen_shape
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
+from adagen.plan.certificate import certified
 from adagen.program import Program
 from adagen.schedule import CostProfile, load_profile
 from adagen.search import best_schedule
@@ -55,6 +56,15 @@ def test_loops_are_priced_by_their_joints() -> None:
         "batch.spherical": 2,
         "batch.number": 4 * 4 + 2 * 13,  # a ball joint's q has four
     }
+
+
+def test_loops_are_priced_by_certificates_and_own_axes() -> None:
+    plan = plan_of(serial_chain(6))
+    found = batch_features(program_of(certified(plan), "kernels", batch=True))
+    assert found == {"batch.revolute": 6, "batch.weighed": 6, "batch.number": 24}
+    light = hollow(robot("r", chain(7), ["revolute"]))
+    found = batch_features(program_of(plan_of(light), "kernels", batch=True))
+    assert found == {"batch.revolute": 7, "batch.turned": 7, "batch.number": 28}
 
 
 @pytest.mark.parametrize("shape", ["kernels", "unrolled"])
