@@ -25,7 +25,7 @@ ADAGEN_INLINE Lanes in_each_lane(const Lanes& x, const F& f) {
   return in_each_lane(x, [](Real y) { return sign_of(y); });
 }
 [[maybe_unused]] inline Lanes tanh_of(const Lanes& x) {
-  return in_each_lane(x, [](Real y) { return tanh_of(y); });
+  return tangent_in_lanes(x, [](Real y) { return tanh_of(y); });
 }
 [[maybe_unused]] inline Lanes max_of(const Lanes& x, const Lanes& y) { return larger(x, y); }
 [[maybe_unused]] inline Lanes max_of(const Lanes& x, Real y) { return max_of(x, Lanes{} + y); }

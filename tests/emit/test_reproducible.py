@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
+from math import inf, isnan, nan
 from pathlib import Path
 
 import numpy as np
@@ -303,10 +304,17 @@ _FUNCTIONS = r"""
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 1, kNq = 1, kNv = 1;
 };
+#define ADAGEN_BATCH
 #include "adagen/far_angles_reduced.hpp"
+#include "adagen/kernels/lanes.hpp"
 #include "adagen/tanh_own.hpp"
 extern "C" void circular(double x, double* found) { far_sine_and_cosine(x, found[0], found[1]); }
 extern "C" double tangent(double x) { return tanh_of(x); }
+extern "C" double tangent_in_lanes(double x, int k) {
+  Lanes all{};
+  all[k % kLanes] = x;
+  return hyperbolic_tangent(all)[k % kLanes];
+}
 """
 
 
@@ -319,6 +327,8 @@ def test_functions_of_its_own(builder: Builder, tmp_path: Path) -> None:
     loaded, found = ctypes.CDLL(str(library)), (ctypes.c_double * 2)()
     loaded.circular.argtypes = [ctypes.c_double, ctypes.POINTER(ctypes.c_double)]
     loaded.tangent.argtypes, loaded.tangent.restype = [ctypes.c_double], ctypes.c_double
+    loaded.tangent_in_lanes.argtypes = [ctypes.c_double, ctypes.c_int]
+    loaded.tangent_in_lanes.restype = ctypes.c_double
     rng = np.random.default_rng(3)
     # The first one is of all doubles the nearest to a multiple of pi/2.
     angles = [6381956970095103.0 * 2.0**797, 1.7e308, *np.exp(rng.uniform(9.1, 709.0, 2000))]
@@ -330,5 +340,11 @@ def test_functions_of_its_own(builder: Builder, tmp_path: Path) -> None:
         for x in [1e-300, 0.6249, 0.625, 19.99, *rng.uniform(-20, 20, 2000)]:
             exact = arb(x).tanh()
             assert abs(float((arb(loaded.tangent(x)) - exact) / exact)) < 3e-16
-    for x, expected in ((0.0, 0.0), (20.0, 1.0), (-1e300, -1.0), (5e-324, 5e-324)):
-        assert loaded.tangent(x) == expected
+            assert [loaded.tangent_in_lanes(y, 3) for y in (x, -x)] == [
+                loaded.tangent(x),
+                -loaded.tangent(x),
+            ]
+    limits = ((0.0, 0.0), (20.0, 1.0), (-1e300, -1.0), (5e-324, 5e-324), (-inf, -1.0))
+    for x, expected in limits:
+        assert loaded.tangent(x) == loaded.tangent_in_lanes(x, 5) == expected
+    assert isnan(loaded.tangent_in_lanes(nan, 1))

@@ -93,6 +93,16 @@ TEST_CASE("sines and cosines of all lanes have the last place right, near and fa
   }
 }
 
+TEST_CASE("hyperbolic tangents of all lanes are those of the C library") {
+  for (const double x : {-1e300, -30.0, -1.5, -0.6, 0.0, 1e-12, 0.3, 0.7, 5.0, 19.99}) {
+    Lanes all = Lanes{} + 0.1;
+    all[kLanes - 1] = x;
+    const Lanes found = hyperbolic_tangent(all);
+    CHECK(near(found[0], std::tanh(0.1), 1));
+    CHECK(near(found[kLanes - 1], std::tanh(x), 1));
+  }
+}
+
 TEST_CASE("a square of lanes is transposed") {
   Lanes square[kLanes];
   for (int k = 0; k < kLanes; ++k) square[k] = counted(10 * k, 1);

@@ -10,6 +10,7 @@
 #include "../common.hpp"
 #include "../sample/angles.hpp"
 #include "../sizes.hpp"
+#include "../tangents.hpp"
 #include "../trigonometry.hpp"
 #include "../value.hpp"
 
@@ -57,12 +58,6 @@ ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
 ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
 
 ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
-ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
-  Lanes result = x;
-  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
-  return result;
-}
-
 template <class T, std::size_t n>
 ADAGEN_INLINE T polynomial(const Real (&coefficients)[n], const T& x) {
   T result = T{} + coefficients[0];
@@ -114,6 +109,36 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
   near_sine_and_cosine(angle, sine, cosine);
   const LaneBits beyond = too_large(angle);
   if (__builtin_expect(any_of(beyond), 0)) take_far_ones(angle, beyond, sine, cosine);
+}
+
+// As tanh_own.hpp, bit for bit: all lanes go all ways, and each takes what its own one gives.
+template <class T>
+ADAGEN_INLINE T tangent_by_parts(const T& x) {
+  using Whole = BitsOf<T>;
+  constexpr double kRound = Trigonometry<double>::kRound;
+  const T size = chosen(x < 0, T(-x), x), turned = 2 * size * 1.4426950408889634073599 + 0.5;
+  const T nearest = (turned + kRound) - kRound;
+  const T n = chosen(nearest > turned, T(nearest - 1), nearest);
+  const T two_to_n = same_bits<T>((same_bits<Whole>(n + kRound) + 1023) << 52);
+  const T tangent = 1 - 2 / (rest_of_power(size, n) * two_to_n + 1);
+  const T large = chosen(size < kLargeTangent, tangent, T(T{} + 1));
+  const T either = chosen(size < kSmallTangent, small_tangent(size), large);
+  return chosen(x == x, chosen(x < 0, T(-either), either), x);
+}
+
+// Of floats, what a function gives of each lane.
+template <class T, class F>
+ADAGEN_INLINE T tangent_in_lanes(const T& x, const F& of_one) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return tangent_by_parts(x);
+  } else {
+    T result = x;
+    for (int k = 0; k < kLanes; ++k) result[k] = of_one(x[k]);
+    return result;
+  }
+}
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  return tangent_in_lanes(x, [](Real y) { return std::tanh(y); });
 }
 
 }  // namespace
