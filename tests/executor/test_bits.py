@@ -91,8 +91,9 @@ def test_straight_lines_of_random_robots_are_the_executor(
     require_same_bits(plan, states, model, builder, tmp_path)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["alone with effects", "ada by one, fused"])
+@pytest.mark.parametrize(
+    "name", ["alone with effects", pytest.param("ada by one, fused", marks=pytest.mark.slow)]
+)
 def test_batches_take_them_too(name: str, builder: Builder, tmp_path: Path) -> None:
     """In lanes sines are others; what is computed is true."""
     fused = Case(three_axis_chain(2), 1, ADA, FusedJoin)
