@@ -331,7 +331,10 @@ def straight_programs(profile: CostProfile) -> list[Wanted]:
 
 
 def batch_programs(profile: CostProfile) -> list[Wanted]:
-    """Return the programs of batches: straight lines, and loops over joints of each kind."""
+    """Return the programs of batches: straight lines, and loops over joints of each kind.
+
+    Some loops are over joints in their own axes, and some are certified, too.
+    """
     robots = {
         "unrolled": [
             robot("pair", chain(2), ["revolute"], 1),

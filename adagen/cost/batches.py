@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from adagen.cost.features import Features, added, weighed
+from adagen.cost.features import Features, added, weighed_joints
 from adagen.cost.straight import straight_stretches
 from adagen.executor.stretches import SINES
 from adagen.model import KINDS
@@ -52,7 +52,7 @@ def _beside(program: Program) -> Iterator[Features]:
             if operation.method == "turned":
                 yield {f"{BATCH}.turned": len(operation.steps)}
             for step in operation.steps:
-                if swept := len(weighed(step, joints)):
+                if swept := len(weighed_joints(step, joints)):
                     yield {f"{BATCH}.weighed": swept}
 
 

@@ -171,7 +171,7 @@ def _join(step: Join, kind: str, group: str) -> Features:
 def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
     """Features of a step that does not depend on the joint; None for others."""
     if isinstance(step, Certify | Refine):
-        return added(_weighed(joints[j]) for j in weighed(step, len(joints)))
+        return added(_weighed(joints[j]) for j in weighed_joints(step, len(joints)))
     if isinstance(step, Traverse):
         run = range(step.passage.first, step.passage.last + 1)
         return added({f"kinematics.{joints[j].kind}": 1} for j in run)
@@ -181,7 +181,7 @@ def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
     return None if plain is None else {plain: 1}
 
 
-def weighed(step: Step, joints: int) -> Sequence[int]:
+def weighed_joints(step: Step, joints: int) -> Sequence[int]:
     """Return the joints of a residual sweep, once for each time; none of other steps.
 
     Args:

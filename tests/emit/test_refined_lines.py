@@ -63,7 +63,7 @@ def test_ordinary_mechanisms_keep_their_digits(name: str) -> None:
     with ctx.workprec(200):
         exact = answers(plan, states, algebra=BALLS)
     assert forward_error(found, exact) < 2e-14
-    # Doubles close loops up to rounding, and the truth leaves other rows out: 3e-14 here.
+    # Doubles close loops up to rounding, and the truth leaves other rows out: up to 3e-14.
     assert forward_error(found, truth_of(model, states)) < 1e-13
 
 

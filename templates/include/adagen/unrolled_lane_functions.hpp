@@ -12,12 +12,6 @@
 namespace {
 
 // The same, lane by lane.
-template <class F>
-ADAGEN_INLINE Lanes in_each_lane(const Lanes& x, const F& f) {
-  Lanes result = x;
-  for (int k = 0; k < kLanes; ++k) result[k] = f(x[k]);
-  return result;
-}
 [[maybe_unused]] inline Lanes sqrt_of(const Lanes& x) {
   return in_each_lane(x, [](Real y) { return sqrt_of(y); });
 }

@@ -126,15 +126,20 @@ ADAGEN_INLINE T tangent_by_parts(const T& x) {
   return chosen(x == x, chosen(x < 0, T(-either), either), x);
 }
 
+template <class F>
+ADAGEN_INLINE Lanes in_each_lane(const Lanes& x, const F& f) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = f(x[k]);
+  return result;
+}
+
 // Of floats, what a function gives of each lane.
 template <class T, class F>
 ADAGEN_INLINE T tangent_in_lanes(const T& x, const F& of_one) {
   if constexpr (std::is_same_v<Real, double>) {
     return tangent_by_parts(x);
   } else {
-    T result = x;
-    for (int k = 0; k < kLanes; ++k) result[k] = of_one(x[k]);
-    return result;
+    return in_each_lane(x, of_one);
   }
 }
 ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
