@@ -8,7 +8,8 @@ that costs never fall with the number of handles.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from statistics import median
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from adagen.calibrate.nnls import nnls
 from adagen.cost.features import Features, added, joins_of, operation_features
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
+from adagen.plan.passive import tangents
 from adagen.plan.stages import Stage, stages
 from adagen.program import Program
 from adagen.schedule.costs import LIKE, NAMES, PER_KIND, PRESCRIBED, StepCosts
@@ -157,6 +159,32 @@ def evaluation_cost(samples: Sequence[Sample]) -> float:
     """Return the time of an evaluation beside its stages, microseconds."""
     alone = [s.evaluation() for s in samples if len(s.plan.processes) == 1]
     return max(0.0, sorted(alone)[len(alone) // 3])  # a disturbed time is a longer one
+
+
+def rubs(plan: Plan) -> bool:
+    """Return whether a process of a plan takes hyperbolic tangents, for friction."""
+    return any(tangents(plan, process) for process in plan.processes)
+
+
+def with_tangents(costs: StepCosts, samples: Sequence[Sample]) -> StepCosts:
+    """Return the costs with that of a tangent, from the times of robots with and without friction.
+
+    Args:
+        costs: the others.
+        samples: of both.
+    """
+    alone = [sample for sample in samples if len(sample.plan.processes) == 1]
+    without = {
+        (s.plan.name, s.program.processes): s.measured.time for s in alone if not rubs(s.plan)
+    }
+    each = [
+        (sample.measured.time - without[sample.plan.name, sample.program.processes])
+        / tangents(sample.plan, sample.plan.processes[0])
+        for sample in alone
+        if rubs(sample.plan)
+    ]
+    table = {**costs.table, "process.tangent": max(0.0, median(each))}
+    return replace(costs, table=table)
 
 
 def relative_errors(samples: Sequence[Sample], costs: StepCosts) -> dict[str, list[float]]:

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.model import KINDS, Inertia, Joint, Link, Model
+from adagen.model import KINDS, Inertia, Joint, Link, Model, Passive
 
 Array = NDArray[np.float64]
 
@@ -108,6 +108,15 @@ def hollow(model: Model) -> Model:
         for k, link in enumerate(links)
     ]
     return replace(model, links=(ground, *bodies))
+
+
+def rubbing(model: Model) -> Model:
+    """Return a robot with friction in all its hinges and sliders."""
+    joints = [
+        replace(joint, passive=Passive(friction=0.1)) if joint.kind.takes("friction") else joint
+        for joint in model.joints
+    ]
+    return replace(model, joints=tuple(joints))
 
 
 def squared(model: Model) -> Model:

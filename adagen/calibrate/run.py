@@ -28,6 +28,8 @@ from adagen.calibrate.fit import (
     evaluation_cost,
     fit_steps,
     relative_errors,
+    rubs,
+    with_tangents,
 )
 from adagen.calibrate.measure import Built, Measurement, combined
 from adagen.calibrate.samples import (
@@ -120,8 +122,9 @@ def calibrate(
     """
     default = load_profile("default")
     found = _measure(default, toolchain, quick, progress)
-    free = [sample for sample in found.stepwise if not sample.plan.slaved]
-    costs = _costs(free, found, default)
+    usual = [sample for sample in found.stepwise if not sample.plan.slaved]
+    free = [sample for sample in usual if not rubs(sample.plan)]
+    costs = with_tangents(_costs(free, found, default), usual)
     costs = _with_slaved(costs, [sample for sample in found.stepwise if sample.plan.slaved])
     sent = costs  # as messages by themselves have it
     if found.channels is not None:

@@ -15,6 +15,7 @@ from adagen.calibrate.robots import (
     hollow,
     prescribed,
     robot,
+    rubbing,
     squared,
     star,
     tree,
@@ -130,6 +131,9 @@ CARRIED = (
 """Robots, seeds and schedules on two processes, through which unit wrenches are carried by
 themselves: runs are swept inwards number by number."""
 
+RUBBING = ("rope", "legs", "paws")
+"""Robots on one process that are timed with friction, too."""
+
 TOGETHER = (("crab", "gathered"), ("figure", "gathered"), ("line", "gathered"))
 """Robots and schedules of straight lines on two processes, which tell what it takes to meet."""
 
@@ -166,7 +170,9 @@ class Wanted:
 
 
 def stepwise_programs(profile: CostProfile, quick: bool) -> list[Wanted]:
-    """Return the programs that go step by step, those of the slaved robot last.
+    """Return the programs that go step by step, those of rubbing and of slaved robots last.
+
+    A robot with friction is one of the others for all else.
 
     What they do does not depend on a profile, so that the same is measured everywhere.
 
@@ -195,6 +201,9 @@ def stepwise_programs(profile: CostProfile, quick: bool) -> list[Wanted]:
         side = f", {' and '.join(map(str, counts))} side by side" if counts else ""
         label = f"{name} by {method}{side}"
         found.append(_program(label, plan, counts, by_method(profile, method)))
+    for name in RUBBING:
+        plan = _plan(rubbing(robots[name]), "segment", 1, 1, "", profile)
+        found.append(_program(f"segment {name} P=1, with friction", plan, COUNTS, usual))
     slaved = _slaved(robot("slaved", chain(12), ["revolute"], 6))
     for form in ("segment", "ada"):
         plan = _plan(slaved, form, 1, 1, "", profile)
@@ -333,7 +342,7 @@ def straight_programs(profile: CostProfile) -> list[Wanted]:
 def batch_programs(profile: CostProfile) -> list[Wanted]:
     """Return the programs of batches: straight lines, and loops over joints of each kind.
 
-    Some loops are over joints in their own axes, and some are certified, too.
+    Some loops are over joints in their own axes, some are certified, and some with friction.
     """
     robots = {
         "unrolled": [
@@ -347,6 +356,7 @@ def batch_programs(profile: CostProfile) -> list[Wanted]:
         ],
         "kernels": [
             robot("rope", chain(40), ["revolute"], 12),
+            rubbing(robot("rubbing rope", chain(40), ["revolute"], 12)),
             robot("turns", chain(24), ["spherical"], 34),
             robot("others", chain(16), OTHERS, 2),
             robot("rails", chain(16), ["prismatic"], 41),

@@ -10,6 +10,7 @@ from adagen.cost.straight import straight_stretches
 from adagen.executor.stretches import SINES
 from adagen.model import KINDS
 from adagen.plan import Plan
+from adagen.plan.passive import tangents
 from adagen.program import Program
 from adagen.schedule.costs import BATCH, StepCosts
 
@@ -32,6 +33,9 @@ def batch_features(program: Program) -> Features:
 
 
 def _computed(program: Program) -> Iterator[Features]:
+    for own in program.plan.processes:
+        if rates := tangents(program.plan, own):
+            yield {f"{BATCH}.tangent": rates}
     if program.shape != "unrolled":
         yield from ({f"{BATCH}.{joint.kind}": 1.0} for joint in program.plan.joints)
         yield from _beside(program)

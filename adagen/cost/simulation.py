@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from adagen.cost.batches import of_registers, states_at_once
 from adagen.cost.features import joins_of, operation_features
 from adagen.cost.straight import straight_times
+from adagen.plan.passive import tangents
 from adagen.plan.stages import Stage, stages
 from adagen.plan.steps import Receive, Send
 from adagen.plan.turns import by_turns
@@ -162,17 +163,19 @@ class _Play:
         self.time = _times(self.program, self.costs)
         self.at = [0] * len(plan.processes)  # operation of each process that is played
         self.clock = [
-            self._evaluation() / self.costs.speed(p) if process.operations else 0.0
+            self._evaluation(p) / self.costs.speed(p) if process.operations else 0.0
             for p, process in enumerate(self.program.processes)
         ]
         self.intervals: list[Interval] = []
         self.exchanges: list[Exchange] = []
 
-    def _evaluation(self) -> float:
+    def _evaluation(self, p: int) -> float:
+        """Time before a process's first step: the call, and what friction asks for."""
         if self.program.batch:
             return 0.0
         straight = self.program.shape == "unrolled"
-        return self.costs["unrolled.evaluation" if straight else "process.evaluation"]
+        call = self.costs["unrolled.evaluation" if straight else "process.evaluation"]
+        return call + self.costs["process.tangent"] * tangents(self.plan, self.plan.processes[p])
 
     def play(self) -> Timeline:
         """Run every process as far as possible, until all are done."""

@@ -81,6 +81,8 @@ def _bytes(symbols: Symbols, values: dict[str, object]) -> int:
     whole = sum(max(_LINE, _lines(part)) for part in (*parts, _number(values["places"]) * size))
     if numbers or values.get("near_lock"):
         whole += _lines(numbers * size + _SOME)
+    tangents = _number(values["tangent_count"]) * size
+    whole += _lines(tangents + _LINE) if tangents else 0
     return _lines(whole + 2 * _SOME + TEXT) + _LINE
 
 
@@ -101,6 +103,7 @@ def _in_loops(symbols: Symbols, values: dict[str, object], size: int) -> int:
     whole += 2 * slots * (3 + factors) * size if values["limbs"] else 0
     whole += (count + 1) * _COLUMNS * size if values["by_columns"] else 0
     whole += (count + 1) * (_BODY + _MOTION) * size
+    whole += plan.nv * size if any(joint.loads for joint in plan.joints) else 0
     whole += count * _BODY * size if passes_free(plan) else 0
     if plan.sets_inertias:
         whole += count * 10 * size + blocks * (per_block * 19 * size + _LINE)

@@ -156,15 +156,16 @@ class Line:
         if node.op == "across":
             return [(node.args[0], k) for k in range(node.value)]
         if node.op == "input":
-            return self._angle(pair)
+            return self._argument(pair)
         return [(k, lane if self.nodes[k].width > 1 else 0) for k in node.args]
 
-    def _angle(self, pair: Pair) -> list[Pair]:
-        """The angle of a sine or cosine."""
+    def _argument(self, pair: Pair) -> list[Pair]:
+        """The angle of a sine or cosine, the rate of a tangent."""
         word, place = str(self.nodes[pair[0]].value).removesuffix("]").split("[")
-        if word not in ("sine", "cosine"):
-            return []
-        return [(self.machine.angles[int(place) + pair[1]].index, 0)]
+        k = int(place) + pair[1]
+        if word in ("sine", "cosine"):
+            return [(self.machine.angles[k].index, 0)]
+        return [(self.machine.tangents[k][0].index, 0)] if word == "tangent" else []
 
     def sums(self) -> Iterator[Pair]:
         """Yield the sums of single numbers, in the order in which they are computed."""

@@ -98,7 +98,7 @@ class _Copy:
         node = self.line.nodes[pair[0]]
         operands = [self.number(operand) for operand in self.line.operands(pair)]
         if node.op == "input":
-            return self._given(str(node.value), operands)
+            return self._given(str(node.value), operands, pair[1:])
         if node.op in ("pack", "lane"):
             return operands[0]
         if node.op == "across":  # one by one, whatever lanes there are
@@ -110,14 +110,19 @@ class _Copy:
         if node.op in ("pack", "input"):
             each = [self.number(self.line.operands((index, lane))[0]) for lane in lanes]
             packed = self.graph.pack(each)
-            return packed if node.op == "pack" else self._given(str(node.value), [packed])
+            return packed if node.op == "pack" else self._given(str(node.value), [packed], lanes)
         return self._operation(node)(*(self._value(k, lanes) for k in node.args))
 
-    def _given(self, name: str, angle: Sequence[Expression]) -> Expression:
-        """An input by its name in the line; of a sine or cosine, its angle."""
-        if not angle:
+    def _given(self, name: str, argument: Sequence[Expression], lanes: Sequence[int]) -> Expression:
+        """An input by its name in the line; of a sine, cosine or tangent, its angle or rate."""
+        if not argument:
             return self.graph.input(name)
-        cosine, sine = self.machine.circular(angle[0])
+        if name.startswith("tangent"):
+            first, all_tangents = int(name[8:-1]), self.line.machine.tangents
+            factors = [all_tangents[first + lane][1].constant for lane in lanes]
+            own = self.graph.pack([self.graph.constant(factor) for factor in factors])
+            return self.machine.tangent(argument[0], own)
+        cosine, sine = self.machine.circular(argument[0])
         return cosine if name.startswith("cosine") else sine
 
     def _operation(self, node: Node) -> Callable[..., Expression]:

@@ -80,7 +80,9 @@ class Machine(Repeatable):
     def again(self, steps: Sequence[Step]) -> Machine:
         """Return a machine that repeats steps in the same graph and lanes."""
         same = self.plan, self.mail, self.refining, self.graph, self.limbs
-        return Machine(*same, steps, self.unturned)
+        found = Machine(*same, steps, self.unturned)
+        found.angles, found.tangents = self.angles, self.tangents
+        return found
 
     def step(self, step: Step) -> bool:
         """Execute one step; return False if it has to wait for a message."""

@@ -197,6 +197,8 @@ class Run:
                 return self._received(*map(int, places))
             if word in ("sine", "cosine"):
                 return self._sine_and_cosine(p, int(places[0]))[word == "cosine"]
+            if word == "tangent":
+                return self._tangent(p, int(places[0]))
             given = self.algebra.given(self.inputs[word][int(places[0])])
             return float(given) if self.once and np.ndim(given) == 0 else given
 
@@ -216,6 +218,12 @@ class Run:
         if p not in self._circular:
             self._circular[p] = self.algebra.sines_and_cosines(self._values(p, angles))
         return self._circular[p][k]
+
+    def _tangent(self, p: int, k: int) -> Any:
+        rate, factor = self._values(p, self.machines[p].tangents[k])
+        if self.once:
+            return of_each(math.tanh, rate * factor)
+        return self.algebra.tanh(rate * factor)
 
 
 _SAID = {

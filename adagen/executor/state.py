@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from adagen.executor.checks import Check
 from adagen.executor.lanes import rows_of
 from adagen.executor.left_over import LeftOver
+from adagen.executor.placed import Placed
 from adagen.executor.process_memory import ProcessMemory
 from adagen.executor.rows import Rows
 from adagen.executor.swept import Swept
@@ -30,6 +31,10 @@ being kept, or a correction of it; None: it is no refinement."""
 
 READY = 40
 """Cycles until the polynomials have given sines and cosines."""
+TANGENT_READY = 100
+"""Cycles until those of hyperbolic tangents have, with three quotients after each other."""
+Scaled = tuple[Expression, Expression]
+"""A rate, which is an input, and the constant by which it is multiplied."""
 
 
 class State(ProcessMemory):
@@ -37,6 +42,7 @@ class State(ProcessMemory):
 
     Attributes:
         angles: joint angles whose sine and cosine are computed, in order.
+        tangents: rates whose hyperbolic tangent is computed, in order; as friction asks for them.
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
         results: accelerations by joints, known after the last step; of a row wide. Those that
@@ -69,8 +75,8 @@ class State(ProcessMemory):
         super().__init__(plan, graph)
         joined = plan.form == "ada" and plan.corrections > 0  # joints' forces are refined, too
         self.refining = "answer" if joined else refining
-        self.angles: list[Expression] = []
-        self._place_of_angles: dict[tuple[Expression, ...], int] = {}
+        self.angles: Placed[Expression] = Placed()
+        self.tangents: Placed[Scaled] = Placed()
         self.checks: list[Check] = []
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
@@ -138,12 +144,36 @@ class State(ProcessMemory):
         joint, kind = self.plan.joints[j], KINDS[self.plan.joints[j].kind]
         if joint.mimic is None:
             q = list(self.rows.entries("q", j, kind.nq))
-            if self.refining == "correction" or self.plan.at_rest:
+            if self.at_rest:
                 return q, [self.graph.constant(0)] * kind.nv
             return q, list(self.rows.entries("v", j, kind.nv))
         source, multiplier, offset = joint.mimic
         (angle, *_), (rate, *_) = self.configuration(source)
         return [angle * multiplier + offset], [rate * multiplier]
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether no joint moves: as a scene says, or while a correction is found."""
+        return self.refining == "correction" or self.plan.at_rest
+
+    def _tangents(self, j: int) -> list[Expression]:
+        """Of each of its rates over ``friction_speed``; a slaved joint's rate is its source's."""
+        factor = self.graph.reciprocal(self._of_joint(j, lambda joint: joint.friction_speed))
+        mimic = self.plan.joints[j].mimic
+        while mimic is not None:
+            j, multiplier, _ = mimic
+            factor, mimic = factor * multiplier, self.plan.joints[j].mimic
+        rates = self.rows.entries("v", j, KINDS[self.plan.joints[j].kind].nv)
+        return [self.tangent(rate, factor) for rate in rates]
+
+    def tangent(self, rate: Expression, factor: Expression) -> Expression:
+        """Return the tangent of a rate times a factor; all of the process are taken at once."""
+        width = rate.node.width
+        own = [(rate, factor)]
+        if width > 1:
+            own = [(self.graph.lane(rate, k), self.graph.lane(factor, k)) for k in range(width)]
+        name = f"tangent[{self.tangents.place_of(tuple(own))}]"
+        return cast("Expression", self.graph.input(name, TANGENT_READY, width))
 
     def upwards(self) -> Array:
         """Return the ground's acceleration relative to free fall, shape (3,)."""
@@ -158,18 +188,9 @@ class State(ProcessMemory):
         """Cosine and sine; those of all angles of the process are computed at once."""
         width = angle.node.width
         own = [angle] if width == 1 else [self.graph.lane(angle, k) for k in range(width)]
-        k = self.place_of_angles(tuple(own))
+        k = self.angles.place_of(tuple(own))
         cosine = self.graph.input(f"cosine[{k}]", READY, width)
         return cosine, self.graph.input(f"sine[{k}]", READY, width)
-
-    def place_of_angles(self, own: tuple[Expression, ...]) -> int:
-        """Return where angles lie, one for each lane, behind all others if they are new."""
-        k = self._place_of_angles.setdefault(own, len(self.angles))
-        if k == len(self.angles):
-            self.angles.extend(own)
-            for place, single in enumerate(own, start=k):
-                self._place_of_angles.setdefault((single,), place)
-        return k
 
     def turns_exactly(self, j: int) -> bool:
         """Whether a projected inertia may be small beside its parts, and needs exact rotations.
@@ -218,17 +239,15 @@ class State(ProcessMemory):
     def _lost(self, j: int) -> list[list[Expression]]:
         """Torques of damping, friction and a spring on each freedom of a joint."""
         joint = self.plan.joints[j]
-        if not (joint.damping or joint.friction or joint.stiffness):
+        if not joint.loads:
             return []
         q, v = self.configuration(j)
         lost: list[list[Expression]] = [[] for _ in v]
         if joint.damping:
             for terms, rate in zip(lost, v, strict=True):
                 terms.append(-(rate * self._of_joint(j, lambda joint: joint.damping)))
-        if joint.friction:
-            slope = self.graph.reciprocal(self._of_joint(j, lambda joint: joint.friction_speed))
-            for terms, rate in zip(lost, v, strict=True):
-                part = self.graph.tanh(rate * slope)
+        if joint.friction and not self.at_rest:
+            for terms, part in zip(lost, self._tangents(j), strict=True):
                 terms.append(-(part * self._of_joint(j, lambda joint: joint.friction)))
         if joint.stiffness:
             turned = q[0] - self._of_joint(j, lambda joint: joint.rest)

@@ -207,7 +207,7 @@ class SweptRows:
             return [None] * len(self.state.rows.lanes(j))
         (angle, *_), _ = self.state.configuration(j)
         lanes = [angle.graph.lane(angle, k) for k in range(angle.node.width)]
-        place = self.state.place_of_angles(tuple(lanes))
+        place = self.state.angles.place_of(tuple(lanes))
         return [place + k for k in range(len(lanes))]
 
     def _gathers(self, link: int) -> int:

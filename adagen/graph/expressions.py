@@ -255,14 +255,6 @@ class Graph:
             return self.constant(1 if a.constant >= 0 else -1)
         return self._node("sign", (a.index,))
 
-    def tanh(self, a: Expression) -> Expression:
-        """Return the hyperbolic tangent of a; an odd function."""
-        if a.node.width > 1:
-            return self._by_lanes(self.tanh, a)
-        if a.negated is not None:
-            return self.neg(self.tanh(a.negated))
-        return a if a.constant == 0 else self._node("tanh", (a.index,))
-
     def larger(self, a: Expression, b: Expression) -> Expression:
         """Return the larger of a and b."""
         x, y = a.constant, b.constant

@@ -139,11 +139,6 @@ class Numbers:
         return Number(math.copysign(1.0, a.x), a.known)
 
     @staticmethod
-    def tanh(a: Number) -> Number:
-        """Return the hyperbolic tangent."""
-        return Number(of_each(math.tanh, a.x), a.known)
-
-    @staticmethod
     def larger(a: Number, b: Number) -> Number:
         """Return the larger number."""
         if isinstance(a.x, np.ndarray) or isinstance(b.x, np.ndarray):

@@ -79,6 +79,11 @@ class PlanJoint:
     lent: float = field(default=0.0, metadata=OPTIONAL)
 
     @property
+    def loads(self) -> bool:
+        """Whether passive forces act on it, of which a rotor's inertia is none."""
+        return bool(self.damping or self.friction or self.stiffness)
+
+    @property
     def priced_as(self) -> str:
         """The kind by which it is priced, apart from kinematics, or prescribed."""
         return PRESCRIBED if self.prescribed else self.kind

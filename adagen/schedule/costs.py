@@ -47,7 +47,7 @@ PER_KIND: dict[str, tuple[str, ...]] = {
     "passing_strips": (),
     "propagate_run": ("run", "product"),
     "propagate_along": (),
-    BATCH: ("turned", "weighed", "operation", "sine", "number"),
+    BATCH: ("turned", "weighed", "operation", "sine", "tangent", "number"),
 }
 """Groups with a coefficient per joint kind, and what else each has.
 
@@ -67,8 +67,8 @@ is a product of 6x6 matrices that they need beyond their joints and ``run``. ``p
 the same where unit wrenches go along with the sweep inwards, by columns; ``deliver.along`` brings a
 force to a joint of such a run. ``batch`` prices a register full of states, not their parts: in
 loops their joints (``turned`` is added for each in its own axes, ``weighed`` for each where answers
-are certified), in straight lines their operations and angles, and in both the numbers that are
-moved into lanes and out of them.
+are certified), in straight lines their operations and angles, and in both the tangents that
+friction asks for, and the numbers that are moved into lanes and out of them.
 """
 
 OTHERS: dict[str, tuple[str, ...]] = {
@@ -78,7 +78,7 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "slaved": ("solve", "apply", "column"),
     "limbs": ("two", "four", "nested_inwards", "nested_outwards", "turned"),
     "parts": ("inwards", "outwards", "run", "join", "release"),
-    "process": ("evaluation", "margin", "cache", "register"),
+    "process": ("evaluation", "tangent", "margin", "cache", "register"),
     "unrolled": (
         *("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
         *("evicted", "fits", "cache", "ahead", "urgent"),
@@ -86,6 +86,7 @@ OTHERS: dict[str, tuple[str, ...]] = {
 }
 """Groups with coefficients of their own, times but for nine.
 
+``process.tangent`` is added for every rate of a joint with friction, in loops and straight lines.
 ``slaved.column`` and ``process.margin`` are shares, ``unrolled.held``, ``unrolled.fits`` and
 ``unrolled.urgent`` are numbers of statements, ``unrolled.cache`` is the size of a core's first
 instruction cache in bytes, ``process.cache`` that of its second-level cache
@@ -106,6 +107,7 @@ ASSUMED = {
     "unrolled.cache": 65536.0,
     "unrolled.ahead": 2000.0,
     "unrolled.urgent": LIMIT,
+    "process.tangent": 0.0025,
     "process.cache": 2097152.0,
     "process.register": 64.0,
     "batch.revolute": 0.065,
@@ -117,6 +119,7 @@ ASSUMED = {
     "batch.weighed": 0.026,
     "batch.operation": 0.000158,
     "batch.sine": 0.00318,
+    "batch.tangent": 0.016,
     "batch.number": 0.00187,
 }
 """What holds where a profile says nothing: it was measured without lines of such a length and

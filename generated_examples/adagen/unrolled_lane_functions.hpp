@@ -5,7 +5,6 @@
 #endif
 
 #include "kernels/lanes.hpp"
-#include "sample/tanh.hpp"
 #include "sizes.hpp"
 #include "unrolled_functions.hpp"
 
@@ -17,9 +16,6 @@ namespace {
 }
 [[maybe_unused]] inline Lanes sign_of(const Lanes& x) {
   return in_each_lane(x, [](Real y) { return sign_of(y); });
-}
-[[maybe_unused]] inline Lanes tanh_of(const Lanes& x) {
-  return tangent_in_lanes(x, [](Real y) { return tanh_of(y); });
 }
 [[maybe_unused]] inline Lanes max_of(const Lanes& x, const Lanes& y) { return larger(x, y); }
 [[maybe_unused]] inline Lanes max_of(const Lanes& x, Real y) { return max_of(x, Lanes{} + y); }

@@ -83,7 +83,6 @@ struct Workspace : StraightMemory<8, 8, 0> {};
 #include "adagen/unrolled_numbers.hpp"
 #include "adagen/unrolled_sines.hpp"
 #include "adagen/unrolled.hpp"
-#include "adagen/tanh_library.hpp"
 #include "adagen/unrolled_functions.hpp"
 #include "adagen/unrolled_wide.hpp"
 #include "adagen/unrolled_wide_functions.hpp"

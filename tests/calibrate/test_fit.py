@@ -18,6 +18,7 @@ from adagen.calibrate.fit import (
     evaluation_cost,
     fit_steps,
     relative_errors,
+    with_tangents,
 )
 from adagen.calibrate.measure import Built, Measurement, StageTime
 from adagen.calibrate.nnls import nnls
@@ -84,7 +85,7 @@ def test_every_coefficient_that_prices_something_is_measured(
         for name in operation_features(operation, program.plan.joints, joins_of(program.plan))
     }
     fitted = {"process.evaluation", "process.margin", "unrolled.held"}
-    fitted |= {"process.cache", "process.register"}
+    fitted |= {"process.tangent", "process.cache", "process.register"}
     fitted |= {name for name in NAMES if name.startswith(("slaved.", "unrolled.", "batch."))}
     unseen = {name for name in NAMES if name not in seen | fitted}
     told = {f"{group}.{key}" for group, keys in OTHERS.items() for key in keys}
@@ -254,6 +255,16 @@ def test_costs_of_batches_are_found_again() -> None:
     found = fit_batches(samples, 32)
     fitted = {name for name in NAMES if name.startswith("batch.")}
     assert found == pytest.approx({name: truth[name] for name in fitted}, rel=1e-5)
+
+
+def test_the_cost_of_a_tangent_is_found_again() -> None:
+    profile = step_profile((), process__tangent=0.007)
+    programs = stepwise_programs(load_profile("paper"), quick=True)
+    alone = [each.lowered for each in programs if len(each.plan.processes) == 1]
+    samples = [Sample(each, _taking(state_time(each, profile))) for each in alone]
+    found = with_tangents(step_costs(process__tangent=0.0), samples)
+    assert found["process.tangent"] == pytest.approx(0.007)
+    assert found.joint("revolute") == profile.measured.joint("revolute")
 
 
 def test_batches_are_built_and_timed(builder: Builder) -> None:

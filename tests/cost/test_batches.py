@@ -7,7 +7,7 @@ from math import inf
 
 import pytest
 
-from adagen.calibrate.robots import chain, hollow, robot
+from adagen.calibrate.robots import chain, hollow, robot, rubbing
 from adagen.cost import state_time, timeline
 from adagen.cost.batches import batch_features, states_at_once
 from adagen.cost.straight import straight_stretches
@@ -65,6 +65,19 @@ def test_loops_are_priced_by_certificates_and_own_axes() -> None:
     light = hollow(robot("r", chain(7), ["revolute"]))
     found = batch_features(program_of(plan_of(light), "kernels", batch=True))
     assert found == {"batch.revolute": 7, "batch.turned": 7, "batch.number": 28}
+
+
+@pytest.mark.parametrize("shape", ["kernels", "unrolled"])
+def test_friction_is_priced_by_its_tangents(shape: str) -> None:
+    model = robot("r", [0, 1, 2, 2], ["floating", "revolute", "spherical", "prismatic"])
+    plain, rough = (
+        batch_features(program_of(plan_of(each), shape, batch=True))
+        for each in (model, rubbing(model))
+    )
+    assert rough.pop("batch.tangent") == 2  # of the hinge and of the slider
+    if shape == "unrolled":
+        assert rough.pop("batch.operation") > plain.pop("batch.operation")
+    assert rough == plain
 
 
 @pytest.mark.parametrize("shape", ["kernels", "unrolled"])

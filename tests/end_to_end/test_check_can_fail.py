@@ -21,8 +21,8 @@ SPOILT = {
     ),
     "a torque is taken for its opposite": (
         "arm7_p1",
-        r"Value tau = w\.tau\[",
-        "Value tau = -w.tau[",
+        r"const Value& tau = w\.tau\[",
+        "const Value tau = -w.tau[",
     ),
     "a velocity product is left out": (
         "arm7_p1",

@@ -85,7 +85,7 @@ def test_a_pose_in_which_the_ground_cannot_be_held_is_solved_the_other_way() -> 
     assert np.abs(found - truth).max() < 1e-12 * np.abs(truth).max()
 
 
-FUNCTIONS = ("sqrt", "sign", "tanh")
+FUNCTIONS = ("sqrt", "sign")
 
 
 @pytest.mark.parametrize("x", [0.25, 2.0, 1e-9, 3.7])
@@ -101,8 +101,6 @@ def test_functions_of_what_is_known_are_folded() -> None:
     graph = Graph()
     assert graph.sqrt(graph.constant(2.25)).constant == fmpq(3, 2)
     assert graph.sign(graph.constant(-3)).constant == -1
-    assert graph.tanh(graph.constant(0)).constant == 0
     assert graph.larger(graph.constant(2), graph.constant(3)).constant == 3
     x = graph.input("x")
     assert graph.larger(x, x) == x
-    assert graph.tanh(-x) == -graph.tanh(x)

@@ -13,7 +13,7 @@
 #include "adagen/set_links.hpp"
 #include "adagen/slave.hpp"
 #include "adagen/status.hpp"
-#include "adagen/tanh_own.hpp"
+#include "adagen/tangents.hpp"
 #include "doctest/doctest.h"
 #include "near.hpp"
 
@@ -45,7 +45,7 @@ TEST_CASE("texts have room for so much, and no more") {
 
 TEST_CASE("hyperbolic tangents of our own are those of the C library") {
   for (const double x : {-30.0, -1.5, -0.6, 0.0, 1e-12, 0.3, 0.7, 5.0})
-    CHECK(near(tanh_of(x), std::tanh(x), 1));
+    CHECK(near(hyperbolic_tangent(x), std::tanh(x), 1));
 }
 
 TEST_CASE("a joint that follows another takes its coordinate and its velocity") {

@@ -83,5 +83,5 @@ def test_robots_without_effects_have_none_in_their_code() -> None:
     model = serial_chain(4)
     plan = make_plan(model, random_schedule(model, 1, rng))
     text, _, _ = text_of(plan).partition("// ---- program")  # which simulates any robot
-    for word in ("Geared", "Held", "outer_force", "std::tanh(("):
+    for word in ("Geared", "Held", "outer_force", "tanh((", "take_passive"):
         assert word not in text

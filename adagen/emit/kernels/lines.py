@@ -9,8 +9,10 @@ from adagen.emit.kernels.limb_spread import LimbSpread
 from adagen.emit.kernels.residual_sweep import ResidualSweep, blocks_of, links_looked_at, word
 from adagen.emit.processes import stamped
 from adagen.emit.symbols import Symbols
+from adagen.model import KINDS
 from adagen.plan import steps as do
 from adagen.plan.edges import is_base
+from adagen.plan.passive import loaded
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.steps import Step
 from adagen.plan.types import Process
@@ -66,11 +68,19 @@ class KernelLines:
         follows = ["slave(kJoints, w.q.data(), w.v.data());"] if self.symbols.plan.slaved else []
         return [
             *follows,
+            *[f"take_passive(w, kPassive_{self.p});"] * bool(self.loaded["joints"]),
             *guards.checks(self.symbols, self.process),
             *self._reaches(),
             *stamped(self.process, self.operations, self._lines_in_turn),
             *guards.results(self.symbols, self.process),
         ]
+
+    @property
+    def loaded(self) -> dict[str, object]:
+        """The joints with passive forces whose torques the process reads, and their freedoms."""
+        joints = loaded(self.symbols.plan, self.process)
+        freedoms = sum(KINDS[self.joints[j].kind].nv for j in joints)
+        return {"process": self.p, "joints": joints, "freedoms": freedoms}
 
     def _reaches(self) -> list[str]:
         """Lines about accelerations that are known before all others, for certificates."""

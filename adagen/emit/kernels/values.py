@@ -82,6 +82,7 @@ def values(symbols: Symbols) -> dict[str, object]:
     return {
         "runtime": runtime,
         "copied": bool(plan.slaved),
+        "loaded": [own for writer in writers if (own := writer.loaded)["joints"]],
         "responses": [writer.responses() for writer in writers] if plan.slaved else [],
         **refined,
         "cuts": cuts,

@@ -21,6 +21,7 @@ from adagen.emit.unrolled.arrangement import (
 )
 from adagen.emit.unrolled.results import Results, names_state
 from adagen.emit.unrolled.swept import kept_lines, sweep_line, swept_values
+from adagen.emit.unrolled.tangents import tangents
 from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text, describe_step
 from adagen.executor import Simulated, Swept, simulate
 from adagen.executor import groupings as shared_limbs
@@ -66,16 +67,18 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
     swept = [row.machine.swept for row in rows if row.machine.swept is not None]
     angle_count = angles + max((one.lanes for one in swept), default=0)
     texts = [row.values(angle_count) for row in rows]
+    tangent_count = max((len(table.places) for row in rows for table in row.tangents), default=0)
+    of_friction = "embedded" if symbols.embedded else "take" if symbols.batch else "unrolled"
     functions = any(row.calls_functions() for row in rows)
-    own = plan.reproducible  # sines and tangents, not those of the C library
+    own = plan.reproducible  # sines, not those of the C library
     again = texts[len(plan.processes) :]
     return {
         "runtime": [
             *["reproducible.hpp"] * own,
             "far_angles_reduced.hpp" if own else "far_angles.hpp",
         ],
-        "functions": ["tanh_own.hpp" if own else "tanh_library.hpp", "unrolled_functions.hpp"]
-        * functions
+        "functions": [f"{of_friction}_tangents.hpp"] * bool(tangent_count)
+        + ["unrolled_functions.hpp"] * functions
         + ["unrolled_lane_functions.hpp"] * (functions and symbols.batch)
         + ["multiply_add_lanes.hpp"] * (own and bool(symbols.batch or wide)),
         "unrolled": texts[: len(plan.processes)],
@@ -84,12 +87,19 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         "places": max((row.arrangement.places for row in rows), default=0),
         "swept": bool(swept),
         "angle_count": angle_count,
+        "tangents": [table for row in rows for table in row.tangents],
+        "tangent_count": tangent_count,
         "wide": wide,
         "as_it_stands": not symbols.batch,
         "wide_functions": ["unrolled_wide_functions.hpp"] * (functions and wide),
         "near_lock": not symbols.batch and any(c.near for s in line for c in s.machine.checks),
         "wide_results": max((row.results.lanes for row in rows), default=0),
     }
+
+
+def _place_in(array: str, x: Expression) -> int:
+    """The place of an input in an array."""
+    return int(str(x.node.value).removeprefix(f"{array}[").removesuffix("]"))
 
 
 def _recovering(symbols: Symbols, plans: Sequence[Plan]) -> list[Grouping]:
@@ -131,6 +141,7 @@ class _ProcessText:
         self.text = Text(self.graph, symbols.plan.scalar, self._only_users())
         self.results = Results(symbols, process, self.owner, self.machine, self.text)
         self.followers = self._followers()
+        self.tangents = tangents(p, self._scaled_rates(), symbols.plan.scalar)
         self.functions: list[dict[str, object]] = []
 
     def values(self, angles: int) -> dict[str, object]:
@@ -236,7 +247,7 @@ class _ProcessText:
         ]
 
     def _prologue(self) -> list[str]:
-        """Reading of the state; sines and cosines of all angles are computed at once."""
+        """Reading of the state; sines, cosines and tangents of all joints are computed at once."""
         lines = self._look_at_state()
         lines += [
             f"w.to[{number}] = channel.outgoing({number}, w.status);"
@@ -257,12 +268,20 @@ class _ProcessText:
             source = "w.angle.data()" if first is None else f"q + {first}"
             take = f"take_sines_and_cosines<{len(angles)}>"
             lines.append(f"{take}({source}, w.sine.data(), w.cosine.data());")
+        lines += [f"take_tangents(v, kTangents_{self.p}, w.tangent.data());" for _ in self.tangents]
         # What is known beforehand, or is an input as it stands, is passed on right away.
         for index, followers in self.followers.items():
             node = self.graph.nodes[index]
             if (node.op == "constant" or is_given(node)) and not is_swept(node):
                 lines += followers
         return lines
+
+    def _scaled_rates(self) -> list[tuple[int, str]]:
+        """Places in v of the rates whose tangents are taken, and the factors of these."""
+        return [
+            (_place_in("v", rate), self.text.literal(factor.constant))
+            for rate, factor in self.machine.tangents
+        ]
 
     def _angles_are_given(self) -> bool:
         return all(is_given(angle.node) for angle in self.machine.angles)
@@ -271,8 +290,7 @@ class _ProcessText:
         """Indices of angles: in q, or in turn where some are computed first."""
         if not self._angles_are_given():
             return list(range(len(self.machine.angles)))
-        names = (str(angle.node.value) for angle in self.machine.angles)
-        return [int(name.removeprefix("q[").removesuffix("]")) for name in names]
+        return [_place_in("q", angle) for angle in self.machine.angles]
 
     @staticmethod
     def _first_of_run(angles: Sequence[str]) -> int | None:

@@ -14,7 +14,7 @@ from adagen.plan.steps import Step
 _MOST = 6  # operands of one statement
 _LARGEST = {"double": 1.7976931348623157e308, "float": 3.4028234663852886e38}
 _LEAST = {"double": 5e-324, "float": 1.401298464324817e-45}
-FUNCTIONS = {"sqrt": "sqrt_of", "sign": "sign_of", "tanh": "tanh_of", "max": "max_of"}
+FUNCTIONS = {"sqrt": "sqrt_of", "sign": "sign_of", "max": "max_of"}
 """Operations that are functions of the runtime, and their names there."""
 MULTIPLY_ADD = {(1, 1): "fused", (1, -1): "fused_less", (-1, 1): "fused_from"}
 """Functions of the runtime for products and sums that are rounded once, by their signs."""

@@ -57,7 +57,6 @@ ADAGEN_INLINE bool all_positive(const T& x) {
 ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
 ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
 
-ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
 template <class T, std::size_t n>
 ADAGEN_INLINE T polynomial(const Real (&coefficients)[n], const T& x) {
   T result = T{} + coefficients[0];
@@ -111,7 +110,7 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
   if (__builtin_expect(any_of(beyond), 0)) take_far_ones(angle, beyond, sine, cosine);
 }
 
-// As tanh_own.hpp, bit for bit: all lanes go all ways, and each takes what its own one gives.
+// As of one number, bit for bit: all lanes go all ways, and each takes what its own one gives.
 template <class T>
 ADAGEN_INLINE T tangent_by_parts(const T& x) {
   using Whole = BitsOf<T>;
@@ -133,17 +132,17 @@ ADAGEN_INLINE Lanes in_each_lane(const Lanes& x, const F& f) {
   return result;
 }
 
-// Of floats, what a function gives of each lane.
-template <class T, class F>
-ADAGEN_INLINE T tangent_in_lanes(const T& x, const F& of_one) {
+// Of floats, lane by lane: their tangents are those of a double, rounded.
+template <class T>
+ADAGEN_INLINE T hyperbolic_tangent(const T& x) {
   if constexpr (std::is_same_v<Real, double>) {
     return tangent_by_parts(x);
   } else {
-    return in_each_lane(x, of_one);
+    T result = x;
+    for (std::size_t k = 0; k < sizeof(T) / sizeof(Real); ++k)
+      result[k] = hyperbolic_tangent(Real(x[k]));
+    return result;
   }
-}
-ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
-  return tangent_in_lanes(x, [](Real y) { return std::tanh(y); });
 }
 
 }  // namespace

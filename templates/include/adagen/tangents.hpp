@@ -1,11 +1,18 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
 #include "common.hpp"
+#include "sizes.hpp"
 
 namespace {
 
-// The parts of a hyperbolic tangent (Cephes), of a number or of several side by side.
+// Hyperbolic tangents by sums, products and quotients alone (Cephes), the same wherever the C
+// library is: parts of one or of several side by side, then one.
 
 constexpr double kSmallTangent = 0.625, kLargeTangent = 20;
 
@@ -32,5 +39,22 @@ ADAGEN_INLINE T rest_of_power(const T& size, const T& n) {
                  2;
   return 1 + 2 * (odd / (even - odd));
 }
+
+[[maybe_unused]] inline Real hyperbolic_tangent(Real argument) {
+  const double x = static_cast<double>(argument), size = std::abs(x);
+  if (!(size < kLargeTangent)) return Real(x < 0 ? -1 : x > 0 ? 1 : x - x);
+  if (size < kSmallTangent) return Real(small_tangent(x));
+  const double n = std::floor(2 * size * 1.4426950408889634073599 + 0.5);
+  const double two_to_n = static_cast<double>(std::uint64_t{1} << static_cast<int>(n));
+  const double found = 1 - 2 / (rest_of_power(size, n) * two_to_n + 1);
+  return Real(x < 0 ? -found : found);
+}
+
+// Which are taken, of rates in v times these factors; filled up with zeros to whole registers.
+template <std::size_t count, std::size_t filled>
+struct Tangents {
+  std::array<int, filled> place;
+  alignas(kCacheLine) std::array<Real, filled> factor;
+};
 
 }  // namespace

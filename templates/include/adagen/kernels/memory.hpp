@@ -128,6 +128,16 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
   return false;
 }
 [[maybe_unused]] constexpr bool kAnyPassive = any_passive();
+template <class Number>
+constexpr bool any_with(Number Passive::* number) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.passive.*number != 0) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyFriction = any_with(&Passive::friction),
+                                kAnySpring = any_with(&Passive::stiffness);
+[[maybe_unused]] constexpr bool kAnySpent =
+    any_with(&Passive::damping) || kAnyFriction || kAnySpring;
 
 // Whether a joint's axis lies beside what it is treated with, and not with those of its block.
 template <class T>
@@ -182,6 +192,7 @@ struct Workspace : State, Cuts, Inertias {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Value, kAnySpent ? kNv : 0> spent{};                // by damping, friction and springs
   std::array<Body<Value>, kKeepsFree ? kJointCount : 0> free{};  // beyond floating joints
   std::array<Lanes, kCarriesAlong ? kJointCount : 0> driven{};   // by unit wrenches on a run's end
   std::array<Body<Value>, kWide ? kJointCount : 0> whole{};      // beyond each joint, to be refined
@@ -280,24 +291,20 @@ ADAGEN_INLINE const Number* add(const Number* from, Body<T>& X) {
 
 ADAGEN_INLINE Lanes wide(const Value* x) { return from_memory<Lanes>(x); }
 
-// The torque along one of a joint's freedoms that reaches the links: less damping, spring and
-// friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0);
-ADAGEN_INLINE Value torque(const Workspace& w, int joint) {
-  if constexpr (kOneEach && !kAnyPassive) return w.tau[joint];
-  return torque(w, kJoints[static_cast<std::size_t>(joint)]);
-}
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom) {
-  Value tau = w.tau[joint.v + freedom];
-  if constexpr (kAnyPassive) {
-    const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v + freedom];
-    if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0 && !(kAgain && w.again))
-      tau -= own.stiffness * (w.q[joint.q] - own.rest);
-    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
-  }
+// The torque along a freedom, by its place in v, that reaches the links: less damping, friction and
+// what a spring takes. Of forces that are repeated, these are no part.
+ADAGEN_INLINE Value torque_at(const Workspace& w, int place) {
+  const Value& tau = w.tau[place];
+  if constexpr (kAnySpent)
+    if (!(kAgain && w.again)) return tau - w.spent[static_cast<std::size_t>(place)];
   return tau;
+}
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+  return torque_at(w, joint.v + freedom);
+}
+ADAGEN_INLINE Value torque(const Workspace& w, int joint) {
+  if constexpr (kOneEach) return torque_at(w, joint);
+  return torque(w, kJoints[static_cast<std::size_t>(joint)]);
 }
 
 // A joint of prescribed motion among limbs in lanes: no force moves it, it follows its

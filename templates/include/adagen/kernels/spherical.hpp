@@ -19,13 +19,13 @@ namespace {
 }
 [[maybe_unused]] constexpr bool kSphericalRotors = any_spherical_rotor();
 
-// The torque that reaches the links, in the child link's axes: less damping.
+// The torque that reaches the links, in the child link's axes.
 template <class T>
 ADAGEN_INLINE Vector<T> spherical_torque(const Workspace& w, const Joints<T>& joints) {
-  const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
-  if constexpr (!kAnyPassive) return tau;
-  const T damping = each(joints, [](const JointConstants& own) { return own.passive.damping; });
-  return tau - each_vector(joints, w.v, &JointConstants::v) * damping;
+  const auto number = [&](int freedom) {
+    return each(joints, [&](const JointConstants& own) { return torque(w, own, freedom); });
+  };
+  return {number(0), number(1), number(2)};
 }
 
 template <class T>

@@ -1,0 +1,22 @@
+"""Joints with passive forces, which are computed before all else."""
+
+from __future__ import annotations
+
+from adagen.model.kinds import KINDS
+from adagen.plan.types import Plan, Process
+
+
+def loaded(plan: Plan, process: Process) -> list[int]:
+    """Return the joints that a process reads the torque of and that have passive forces.
+
+    Those with friction come first.
+    """
+    numbers = sorted((*process.owns, *process.shares, *process.spares))
+    found = [j for j in numbers if plan.joints[j].loads]
+    return sorted(found, key=lambda j: not plan.joints[j].friction)
+
+
+def tangents(plan: Plan, process: Process) -> int:
+    """Return how many hyperbolic tangents a process takes in an evaluation, for friction."""
+    joints = (plan.joints[j] for j in loaded(plan, process))
+    return sum(KINDS[joint.kind].nv for joint in joints if joint.friction)

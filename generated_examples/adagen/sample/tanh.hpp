@@ -1,8 +1,0 @@
-// adagen's runtime, the same for all robots.
-// A solver says this itself (ADAGEN_SOLVER). Read alone, headers take it of a sample.
-#pragma once
-#if !defined(ADAGEN_SOLVER)
-
-#include "../tanh_library.hpp"
-
-#endif
