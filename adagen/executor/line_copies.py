@@ -118,8 +118,8 @@ class _Copy:
         if not argument:
             return self.graph.input(name)
         if name.startswith("tangent"):
-            first, all_tangents = int(name[8:-1]), self.line.machine.tangents
-            factors = [all_tangents[first + lane][1].constant for lane in lanes]
+            first = int(name.removeprefix("tangent[").removesuffix("]"))
+            factors = [self.line.machine.tangents[first + k][1].constant for k in lanes]
             own = self.graph.pack([self.graph.constant(factor) for factor in factors])
             return self.machine.tangent(argument[0], own)
         cosine, sine = self.machine.circular(argument[0])

@@ -32,7 +32,7 @@ being kept, or a correction of it; None: it is no refinement."""
 READY = 40
 """Cycles until the polynomials have given sines and cosines."""
 TANGENT_READY = 100
-"""Cycles until those of hyperbolic tangents have, with three quotients after each other."""
+"""Cycles until those of hyperbolic tangents have, with two quotients after each other."""
 Scaled = tuple[Expression, Expression]
 """A rate, which is an input, and the constant by which it is multiplied."""
 

@@ -12,11 +12,6 @@
 
 namespace {
 
-template <class T, std::size_t... lane>
-ADAGEN_INLINE T rates_at(const Real* v, const int* place, std::index_sequence<lane...>) {
-  return T{v[place[lane]]...};
-}
-
 // Hyperbolic tangents that friction asks for, as many at once as T holds; of several states, T is
 // not asked for. As many are written as fill registers.
 template <class T, std::size_t count, std::size_t filled>
@@ -24,7 +19,7 @@ ADAGEN_INLINE void take_tangents(const Real* v, const Tangents<count, filled>& o
   constexpr std::size_t width = sizeof(T) / sizeof(Real);
   static_assert(filled % width == 0);
   for (std::size_t k = 0; k < count; k += width) {
-    const T rates = rates_at<T>(v, &of.place[k], std::make_index_sequence<width>{});
+    const T rates = numbers_at<T>(v, &of.place[k], std::make_index_sequence<width>{});
     to_memory(hyperbolic_tangent(T(rates * from_memory<T>(&of.factor[k]))), found + k);
   }
 }

@@ -268,7 +268,8 @@ class _ProcessText:
             source = "w.angle.data()" if first is None else f"q + {first}"
             take = f"take_sines_and_cosines<{len(angles)}>"
             lines.append(f"{take}({source}, w.sine.data(), w.cosine.data());")
-        lines += [f"take_tangents(v, kTangents_{self.p}, w.tangent.data());" for _ in self.tangents]
+        for table in self.tangents:
+            lines.append(f"take_tangents(v, kTangents_{table.process}, w.tangent.data());")
         # What is known beforehand, or is an input as it stands, is passed on right away.
         for index, followers in self.followers.items():
             node = self.graph.nodes[index]

@@ -131,7 +131,7 @@ struct Found {
 template <bool reversed, class T>
 ADAGEN_INLINE T driving(Workspace& w, const Joints<T>& joints) {
   T tau = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
-  if constexpr (kAnyPassive)
+  if constexpr (kAnyRotor)
     tau -= each(joints, [&w](const JointConstants& own) {
       return Value{} + w.answer[static_cast<std::size_t>(own.v)] * Real(own.passive.rotor);
     });

@@ -75,7 +75,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   Vector<T> n = along ? X.B * s : X.A * s;
   const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
   T D = dot(s, along ? f : n);
-  if constexpr (kAnyPassive)
+  if constexpr (kAnyRotor)
     D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
   if constexpr (kPrescribedInLanes && kWidth < T >> 1) D += each(joints, immovable);
   const T inverse = 1 / D;

@@ -121,7 +121,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   mirror(X);  // no sooner, so that V need not wait
   const Real q = component<along>(s, due.U);
   Real D = component<along>(s, V) - q * q * due.inverse;
-  if constexpr (kAnyPassive) D += joint.passive.rotor;
+  if constexpr (kAnyRotor) D += joint.passive.rotor;
   const Real inverse = 1 / D;
   const Column before = due.U * due.inverse;
   subtract(X, due);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "../common.hpp"
 #include "../sample/angles.hpp"
@@ -125,10 +126,10 @@ ADAGEN_INLINE T tangent_by_parts(const T& x) {
   return chosen(x == x, chosen(x < 0, T(-either), either), x);
 }
 
-template <class F>
-ADAGEN_INLINE Lanes in_each_lane(const Lanes& x, const F& f) {
-  Lanes result = x;
-  for (int k = 0; k < kLanes; ++k) result[k] = f(x[k]);
+template <class T, class F>
+ADAGEN_INLINE T in_each_lane(const T& x, const F& f) {
+  T result = x;
+  for (std::size_t k = 0; k < sizeof(T) / sizeof(Real); ++k) result[k] = f(x[k]);
   return result;
 }
 
@@ -138,11 +139,14 @@ ADAGEN_INLINE T hyperbolic_tangent(const T& x) {
   if constexpr (std::is_same_v<Real, double>) {
     return tangent_by_parts(x);
   } else {
-    T result = x;
-    for (std::size_t k = 0; k < sizeof(T) / sizeof(Real); ++k)
-      result[k] = hyperbolic_tangent(Real(x[k]));
-    return result;
+    return in_each_lane(x, [](Real y) { return hyperbolic_tangent(y); });
   }
+}
+
+// Numbers from several places in memory.
+template <class T, std::size_t... lane>
+ADAGEN_INLINE T numbers_at(const Real* x, const int* place, std::index_sequence<lane...>) {
+  return T{x[place[lane]]...};
 }
 
 }  // namespace

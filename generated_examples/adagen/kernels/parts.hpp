@@ -217,7 +217,7 @@ ADAGEN_INLINE Lanes hold_first(Workspace& w, const Body<Lanes>& X, const Lanes& 
   const Joints<Lanes> row = Run::row(0, 0);
   const Vector<Lanes> axis = axis_at<Lanes>(w.at(row.slot, kAxes)), n = X.A * axis;
   Lanes D = dot(axis, n);
-  if constexpr (kAnyPassive)
+  if constexpr (kAnyRotor)
     D += each(row, [](const JointConstants& joint) { return joint.passive.rotor; });
   const Lanes trace = X.A.xx + X.A.yy + X.A.zz;
   const Lanes left = chosen(kFirstLane, D - kEnough * trace, Lanes{} + 1);

@@ -138,7 +138,7 @@ ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>&
   T tau = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
   if constexpr (reversed) tau = -tau;
   T D = along ? C.zz : A.zz, rotor{};
-  if constexpr (kAnyPassive) {
+  if constexpr (kAnyRotor) {
     rotor = each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
     D += rotor;
   }

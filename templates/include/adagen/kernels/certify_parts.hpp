@@ -117,7 +117,7 @@ ADAGEN_NOINLINE MovedParts accelerate_weighed_in_parts(Workspace& w, const Start
 template <class Run>
 ADAGEN_INLINE Lanes driving_parts(Workspace& w, int row) {
   Lanes tau = torques<Run>(w, row, kEachLane);
-  if constexpr (kAnyPassive)
+  if constexpr (kAnyRotor)
     tau -= each(Run::row(row, 0), [&w](const JointConstants& own) {
       return w.answer[static_cast<std::size_t>(own.v)] * Real(own.passive.rotor);
     });

@@ -120,15 +120,6 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 [[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
 [[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
 [[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
-[[maybe_unused]] constexpr bool any_passive() {
-  for (const JointConstants& joint : kJoints) {
-    const Passive& own = joint.passive;
-    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
-  }
-  return false;
-}
-[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
-template <class Number>
 constexpr bool any_with(Number Passive::* number) {
   for (const JointConstants& joint : kJoints)
     if (joint.passive.*number != 0) return true;
@@ -138,6 +129,7 @@ constexpr bool any_with(Number Passive::* number) {
                                 kAnySpring = any_with(&Passive::stiffness);
 [[maybe_unused]] constexpr bool kAnySpent =
     any_with(&Passive::damping) || kAnyFriction || kAnySpring;
+[[maybe_unused]] constexpr bool kAnyRotor = any_with(&Passive::rotor);
 
 // Whether a joint's axis lies beside what it is treated with, and not with those of its block.
 template <class T>

@@ -64,12 +64,12 @@ ADAGEN_INLINE Lanes tangent_of(const Lanes& rate) { return hyperbolic_tangent(ra
 #endif
 constexpr std::size_t kRatesAtOnce = sizeof(RatesAtOnce) / sizeof(Value);
 
-template <class T, std::size_t... lane>
-ADAGEN_INLINE T numbers_at(const Value* x, const int* place, std::index_sequence<lane...>) {
+template <class T>
+ADAGEN_INLINE T values_at(const Value* x, const int* place) {
   if constexpr (kRatesAtOnce == 1)
     return x[*place];
   else
-    return T{x[place[lane]]...};
+    return numbers_at<T>(x, place, std::make_index_sequence<kRatesAtOnce>{});
 }
 template <class T>
 ADAGEN_INLINE auto constants_from(const Real* x) {
@@ -82,16 +82,15 @@ ADAGEN_INLINE auto constants_from(const Real* x) {
 template <std::size_t count>
 void take_passive(Workspace& w, const PassiveForces<count>& of) {
   using T = RatesAtOnce;
-  constexpr std::make_index_sequence<kRatesAtOnce> lanes;
   const Value *const q = w.q, *const v = w.v;
   for (std::size_t k = 0; k < count; k += kRatesAtOnce) {
-    const T rates = numbers_at<T>(v, &of.v[k], lanes);
+    const T rates = values_at<T>(v, &of.v[k]);
     T spent = rates * constants_from<T>(&of.damping[k]);
     if (kAnyFriction && k < of.with_friction)
       spent +=
           tangent_of(rates * constants_from<T>(&of.factor[k])) * constants_from<T>(&of.friction[k]);
     if constexpr (kAnySpring)
-      spent += (numbers_at<T>(q, &of.q[k], lanes) - constants_from<T>(&of.rest[k])) *
+      spent += (values_at<T>(q, &of.q[k]) - constants_from<T>(&of.rest[k])) *
                constants_from<T>(&of.stiffness[k]);
     Value each[kRatesAtOnce];
     std::memcpy(each, &spent, sizeof each);
