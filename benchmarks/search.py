@@ -1,7 +1,8 @@
-"""``python -m benchmarks.search [joins] [played] [chains]``: what is proven of schedules, how fast.
+"""``python -m benchmarks.search [TABLE ...]``: what is proven of schedules, and how fast.
 
 Writes tables of docs/records/search.md: of joins (Eq. 11, the paper's constants), and of real
-robots and long chains as they are played (form segment, the shipped costs).
+robots, with and without friction, and long chains as they are played (form segment, the shipped
+costs).
 Robots of adagen's test environment (example-robot-data) that are not there are left out.
 """
 
@@ -16,6 +17,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from adagen import paper
+from adagen.calibrate.robots import rubbing
 from adagen.emit.shapes import chosen_shape, predict
 from adagen.garbage import seldom_collected
 from adagen.model import Model
@@ -134,6 +136,13 @@ def played() -> Iterator[str]:
             yield searched(name, model, processes)
 
 
+def friction() -> Iterator[str]:
+    """Yield the lines of the table of the same robots with friction at all joints."""
+    for name, model in shown():
+        for processes in (2, 4):
+            yield searched(name, rubbing(model), processes)
+
+
 def chains() -> Iterator[str]:
     """Yield the lines of the table of long chains, under the default budget."""
     for joints, processes in CHAINS:
@@ -223,6 +232,14 @@ the profile's `process.margin`, which the table does not.
 
 {columns}
 """,
+    "friction": """## With friction
+
+Written by `python -m benchmarks.search friction` ({machine}). The same robots with friction at all
+hinges and sliders, whose hyperbolic tangents the process takes that has the joint; the columns as
+above.
+
+{columns}
+""",
     "chains": """## Long chains
 
 Written by `python -m benchmarks.search chains` ({machine}). Chains of joints that turn about x, y
@@ -236,6 +253,7 @@ COLUMNS = """| robot | joints | P | alone | makespan | bound | verdict | family 
 TABLES: dict[str, Callable[[], Iterator[str]]] = {
     "joins": joins,
     "played": played,
+    "friction": friction,
     "chains": chains,
 }
 

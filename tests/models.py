@@ -7,7 +7,7 @@ URDF reader gives: depth-first joints with siblings by name, one inertia per lin
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -181,6 +181,18 @@ def random_tree(
         name, body = f"j{i}", random_inertia(rng)
         parts.append(Part(name, above, kind, body, place, random_rotation(rng), axis))
     return assemble(f"tree{n}", _with_mimics(rng, parts, mimics), floating)
+
+
+def some_rubbing(model: Model, seed: int) -> Model:
+    """Return a robot with friction in about half of its hinges and sliders."""
+    rubs = np.random.default_rng(seed).random(len(model.joints)) < 0.5
+    joints = [
+        replace(joint, passive=replace(joint.passive, friction=0.1))
+        if rub and joint.kind.takes("friction")
+        else joint
+        for joint, rub in zip(model.joints, rubs, strict=True)
+    ]
+    return replace(model, joints=tuple(joints))
 
 
 def _with_mimics(rng: np.random.Generator, parts: list[Part], count: int) -> list[Part]:

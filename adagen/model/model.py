@@ -57,6 +57,11 @@ class Passive:
         """Whether it changes the torque at a given state."""
         return bool(self.damping or self.friction or self.stiffness)
 
+    @property
+    def tangents(self) -> int:
+        """How many hyperbolic tangents its friction takes in an evaluation."""
+        return 1 if self.friction else 0  # only joints of one degree of freedom have any
+
 
 @dataclass(frozen=True, eq=False)
 class Joint:

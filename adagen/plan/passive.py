@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from adagen.model.kinds import KINDS
 from adagen.plan.types import Plan, Process
 
 
@@ -18,5 +17,4 @@ def loaded(plan: Plan, process: Process) -> list[int]:
 
 def tangents(plan: Plan, process: Process) -> int:
     """Return how many hyperbolic tangents a process takes in an evaluation, for friction."""
-    joints = (plan.joints[j] for j in loaded(plan, process))
-    return sum(KINDS[joint.kind].nv for joint in joints if joint.friction)
+    return sum(plan.joints[j].tangents for j in loaded(plan, process))

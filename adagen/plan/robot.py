@@ -84,6 +84,11 @@ class PlanJoint:
         return bool(self.damping or self.friction or self.stiffness)
 
     @property
+    def tangents(self) -> int:
+        """How many hyperbolic tangents its friction takes in an evaluation."""
+        return 1 if self.friction else 0  # as ``adagen.model.Passive`` has it
+
+    @property
     def priced_as(self) -> str:
         """The kind by which it is priced, apart from kinematics, or prescribed."""
         return PRESCRIBED if self.prescribed else self.kind

@@ -129,6 +129,7 @@ def fold(
             tuple("+".join(topology.names[j] for j in run) for run in joints),
             tuple(_kind(topology, run, n) for run, n in zip(joints, dofs, strict=True)),
             frozenset(k for k, run in enumerate(joints) if topology.prescribed.issuperset(run)),
+            tuple(sum(map(topology.tangents_of, run)) for run in joints),
         ),
         tuple(joints),
         tuple(map(tuple, inner)),

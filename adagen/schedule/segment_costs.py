@@ -86,7 +86,9 @@ class SegmentCosts:
         own: per position, the kinematics of its joint in the chain that it belongs to.
         passed: per position, the kinematics of its joint for a process that only passes it on the
             way to others.
-        alone: per position, what its joint takes inside a chain besides, its child link included.
+        alone: per position, what its joint takes inside a chain besides, its child link and the
+            tangents of its friction included. Those of joined joints are left out: they are taken
+            before their process waits for the other.
         outward: per position, what it takes to carry mobility across it and loads back, without
             the loads themselves.
         kinematics: per link, of all joints between it and the ground, where they are only passed.
@@ -124,7 +126,11 @@ class SegmentCosts:
         self.passed = (
             self.own if passing is None else [round(passing[kind] * TICKS) for kind in kinds]
         )
-        self.alone = [self._alone(*row) for row in rows]
+        tangent = self._ticks("process.tangent")
+        self.alone = [
+            self._alone(*row).plus(Price(tangent * topology.tangents_of(j), 0))
+            for row, j in zip(rows, self.chains.original, strict=True)
+        ]
         self.outward = [self._outward(*row) for row in rows]
         self.join = [
             Price(

@@ -21,6 +21,8 @@ class Topology:
         names: name of each joint, all different; length N.
         kinds: name of each joint's kind; length N, or empty where only degrees of freedom matter.
         prescribed: joints of known acceleration: what they cost is another matter.
+        tangents: hyperbolic tangents that the friction of each joint takes in an evaluation;
+            length N, or empty for none.
     """
 
     parents: tuple[int, ...]
@@ -28,12 +30,15 @@ class Topology:
     names: tuple[str, ...]
     kinds: tuple[str, ...] = ()
     prescribed: frozenset[int] = frozenset()
+    tangents: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:
         if not len(self.parents) == len(self.dofs) == len(self.names):
             raise ValueError("parents, dofs and names must be equally long")
         if self.kinds and len(self.kinds) != len(self.parents):
             raise ValueError("there must be as many kinds as joints, or none")
+        if self.tangents and len(self.tangents) != len(self.parents):
+            raise ValueError("there must be as many tangents as joints, or none")
         for j, (parent, dofs) in enumerate(zip(self.parents, self.dofs, strict=True)):
             if not 0 <= parent <= j:
                 raise ValueError(f"joint {j}: parent link {parent} is not one of 0..{j}")
@@ -51,6 +56,7 @@ class Topology:
             tuple(joint.name for joint in model.joints),
             tuple(joint.kind.name for joint in model.joints),
             frozenset(j for j, joint in enumerate(model.joints) if joint.prescribed),
+            tuple(joint.passive.tangents for joint in model.joints),
         )
 
     @staticmethod
@@ -79,6 +85,10 @@ class Topology:
     def priced_as(self, joint: int) -> str:
         """Return the kind by which a joint is priced, apart from kinematics, or prescribed."""
         return PRESCRIBED if joint in self.prescribed else self.kind(joint)
+
+    def tangents_of(self, joint: int) -> int:
+        """Return how many hyperbolic tangents the friction of a joint takes in an evaluation."""
+        return self.tangents[joint] if self.tangents else 0
 
     def __len__(self) -> int:
         """Return N, the number of joints."""

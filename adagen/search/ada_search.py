@@ -130,6 +130,7 @@ class _Played:
             joint = plan.joints[step.joint]
             join = min(costs[f"{joins}.{joint.priced_as}"], costs[f"{joins}.ground"])
             work += join + costs[f"disassemble.{joint.priced_as}"]
+            work += costs["process.tangent"] * joint.tangents
         speeds = costs.speeds(self.found.processes)
         return costs["process.evaluation"] / max(speeds) + work / sum(speeds)
 

@@ -92,8 +92,16 @@ class ChainExchange:
         base = max((j + 1 for j, fits in enumerate(passed) if not fits), default=0)
         self.cuts = _of_full_rows(self.cuts, base, parts)
         self._told = base < (FEWEST_ROWS * parts or _FEWEST)
+        rates = tangents(topology, self.costs)
+        self._tangents = sum(rates)
         self.inner, self.outermost = (
-            [0.0, *accumulate(self._first_sweep(kind, last) for kind in kinds)]
+            [
+                0.0,
+                *accumulate(
+                    self._first_sweep(kind, last) + rate
+                    for kind, rate in zip(kinds, rates, strict=True)
+                ),
+            ]
             for last in (False, True)
         )
         free = ("floating", PRESCRIBED)
@@ -118,7 +126,7 @@ class ChainExchange:
             count: those that work.
         """
         costs, own = self.costs, self._own
-        whole = sum(own[kind] for kind in self._counted)
+        whole = sum(own[kind] for kind in self._counted) + self._tangents
         start = costs["link.start"]
         unswept = max((own[k] - self._placed(k) - start for k in own), default=0.0)
         whole -= unswept * (count * self.parts if self.parts else count - 1)
@@ -315,6 +323,12 @@ def _fans(count: int) -> list[int]:
 
 def _sweep(costs: StepCosts, kind: str) -> float:
     return min(costs[f"articulate.{kind}"], costs[f"articulate_columns.{kind}"])
+
+
+def tangents(topology: Topology, costs: StepCosts) -> list[float]:
+    """Return what the tangents of each joint's friction take; microseconds."""
+    one = costs["process.tangent"]
+    return [one * topology.tangents_of(j) for j in range(len(topology))]
 
 
 def passing(costs: StepCosts, kind: str) -> float:

@@ -17,7 +17,7 @@ from adagen.cost import Timeline
 from adagen.plan.sent_passages import PASSED
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.tree import Gathered
-from adagen.search.chain_exchange import Play, first_sweep, passed_and_placed, passing
+from adagen.search.chain_exchange import Play, first_sweep, passed_and_placed, passing, tangents
 
 _PLAYS = 4
 
@@ -40,7 +40,8 @@ class ChainHalves:
         self.count = len(topology)
         self.kinds = [topology.kind(j) for j in range(self.count)]
         self.roots = [j + 1 for j in range(self.count - 1) if cuttable[j]]
-        own = [self._first_sweep(kind) for kind in self.kinds]
+        rates = tangents(topology, self.costs)
+        own = [self._first_sweep(kind) + rate for kind, rate in zip(self.kinds, rates, strict=True)]
         self.sums = [0.0, *accumulate(own)]
         kinds = {topology.priced_as(j) for j in range(self.count)}
         self.told = topology.is_chain and kinds <= PASSED

@@ -92,10 +92,18 @@ class JointBounds:
             min(self.pose[j], self._pose(joint, lengths[j], j in long, "passing_strips"))
             for j, joint in enumerate(joints)
         ]
-        self.by_itself = [costs.joint(joint.kind) for joint in joints]
+        self._tangents = [costs["process.tangent"] * joint.tangents for joint in joints]
+        self.by_itself = [
+            costs.joint(joint.kind) + own for joint, own in zip(joints, self._tangents, strict=True)
+        ]
         self._chains = self._lengths_of_chains(ways)
         self._alone = [
-            self._ways(joint, self.pose[j], ways[j] if j in in_run else 1, j in in_columns)
+            self._ways(
+                joint,
+                self.pose[j] + self._tangents[j],
+                ways[j] if j in in_run else 1,
+                j in in_columns,
+            )
             for j, joint in enumerate(joints)
         ]
         # Swept from the ground a limb's first joint has no link beyond it.
@@ -145,20 +153,20 @@ class JointBounds:
 
     def in_row(self, joint: int, count: int) -> SweepBound:
         """Return what a joint takes with its whole row, where so many at most can be in one."""
-        start = self._start[joint]
+        start, own = self._start[joint], self._tangents[joint]
         ways = [(inwards + start, outwards) for inwards, outwards in self._alone[joint]]
         for n in range(2, count + 1):
             inwards, outwards = self._in_row(joint, n)
-            ways.append((inwards + n * start, outwards))
+            ways.append((inwards + n * start + own, outwards))
         return _least(ways)
 
     def of_row(self, joint: int, count: int) -> SweepBound:
         """Return what a joint takes with its share of a row likewise."""
-        start = self._start[joint]
+        start, own = self._start[joint], self._tangents[joint]
         ways = [(inwards + start, outwards) for inwards, outwards in self._alone[joint]]
         for n in range(2, count + 1):
             inwards, outwards = self._in_row(joint, n)
-            ways.append((inwards / n + start, outwards / n))
+            ways.append((inwards / n + start + own, outwards / n))
         return _least(ways)
 
     def work(self, limb: Limb) -> SweepBound:
@@ -270,7 +278,7 @@ class JointBounds:
 
         Args:
             joint: the joint.
-            pose: its kinematics.
+            pose: its kinematics, with the tangents of its friction.
             length: of the longest run that it may be in, at most.
             in_columns: whether that may be computed by columns.
         """
@@ -310,7 +318,8 @@ class JointBounds:
         # Joints that are passed the other way are in rows of their own, and in a run at least.
         known, others = self._passed[parent]
         if self.whole and self.whole_limbs.plain[j]:
-            self._passed[link] = known + 1, others.plus(SweepBound(0.0, passed.outwards, 0.0))
+            own = self._tangents[j]
+            self._passed[link] = known + 1, others.plus(SweepBound(own, passed.outwards, own))
         else:
             self._passed[link] = known, others.plus(passed)
         known, others = self._passed[link]

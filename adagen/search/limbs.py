@@ -171,15 +171,14 @@ class Robot:
         return self._all[tree]
 
     def kind(self, joint: int) -> object:
-        """Return what is equal for subtrees of the same kinds of joints and the same topology."""
+        """Return what is equal for subtrees of joints that cost the same, and the same topology."""
         if joint not in self._kind_of:
             span = range(joint, self.last[joint] + 1)
             if len(span) > _COMPARED or joint in self.prolonging:
                 return ("own", joint)
             features = tuple(
-                (j - self.joints[j].parent if j > joint else 0, self.joints[j].kind)
-                + ((True,) if self.joints[j].prescribed else ())
-                for j in span
+                (j - own.parent if j > joint else 0, own.kind, own.prescribed, own.tangents)
+                for j, own in zip(span, self.joints[span.start : span.stop], strict=True)
             )
             self._kind_of[joint] = self._kinds.setdefault(features, len(self._kinds))
         return self._kind_of[joint]

@@ -15,6 +15,7 @@ from adagen.emit.shapes import SHAPES, predict
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.messages import Message
+from adagen.plan.passive import tangents
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.stages import stages
@@ -49,7 +50,7 @@ class Share:
         kinematics: of all joints that it passes, long runs in strips unless another process
             parts them.
         least_kinematics: the same however others part its runs, at least.
-        inwards: up to the messages that it sends.
+        inwards: up to the messages that it sends, with the tangents of its joints' friction.
         between: from then on up to those that it takes.
         outwards: all after them.
         process: its steps; messages stand for all that there are.
@@ -108,6 +109,7 @@ class Pricing:
                     phase = 3 if what == "disassembly" else phase
                     phases[0 if what == "kinematics" else phase] += self._time(operation)
         moving, inwards, between, outwards = phases
+        inwards += self.costs["process.tangent"] * tangents(plan, process)
         least = self._least_kinematics(found) if loops.slots.in_strips else moving
         return Share(moving, least, inwards, between, outwards, process, loops.slots.limbs[0])
 

@@ -140,6 +140,8 @@ class WholeLimbBounds:
             _WholeLimbBounds(robot, self.plain, costs, part) for part in get_args(Part)
         )
         self._inwards, self._both = inwards, both
+        self._tangents = [costs["process.tangent"] * joint.tangents for joint in robot.joints]
+        self._parents = [joint.parent for joint in robot.joints]
 
     def run(self, length: int) -> SweepBound:
         """Return the least for so many joints one after the other, none beside another."""
@@ -174,7 +176,7 @@ class WholeLimbBounds:
 
         Microseconds.
         """
-        return self._inwards.whole(joints)
+        return self._inwards.whole(joints) + sum(self._tangents[j] for j in joints)
 
     def beyond(self, joints: Sequence[int]) -> dict[int, SweepBound]:
         """Return the least for each of some joints and those of them that hang on it.
@@ -185,7 +187,14 @@ class WholeLimbBounds:
             joints: ascending.
         """
         inwards, both = self._inwards.beyond(joints), self._both.beyond(joints)
-        return {j: SweepBound(inwards[j], 0.0, both[j]) for j in joints}
+        tangents: dict[int, float] = {}  # by links: of all that hangs there
+        for j in reversed(joints):
+            own = tangents[j + 1] = tangents.get(j + 1, 0.0) + self._tangents[j]
+            tangents[self._parents[j]] = tangents.get(self._parents[j], 0.0) + own
+        return {
+            j: SweepBound(inwards[j] + tangents[j + 1], 0.0, both[j] + tangents[j + 1])
+            for j in joints
+        }
 
 
 class _WholeLimbBounds:

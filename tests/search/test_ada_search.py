@@ -18,7 +18,7 @@ from adagen.schedule.chains import WHOLE
 from adagen.schedule.search_result import Found
 from adagen.search import find_schedule
 from adagen.search.ada_search import played_schedule
-from tests.models import random_tree, serial_chain
+from tests.models import random_tree, serial_chain, some_rubbing
 
 PROFILE = load_profile("default")
 JOINS = PROFILE.joins_only()
@@ -60,6 +60,7 @@ def every_parting(model: Model) -> list[Schedule]:
 def test_no_place_to_part_at_is_faster_on_two_processes(seed: int) -> None:
     rng = np.random.default_rng(seed)
     model = random_tree(rng, int(rng.integers(4, 13)), floating=seed % 2 == 0)
+    model = some_rubbing(model, seed) if seed % 4 > 1 else model
     first = by_joins(model, 2)
     found = played_schedule(model, first, PROFILE)
     well_formed(found, model)

@@ -27,7 +27,7 @@ from adagen.schedule.tree import preorder
 from adagen.search import best_schedule, schedule_from_json
 from adagen.search.chain_exchange import ChainExchange, Play, numbers_of_processes
 from adagen.search.price import played
-from tests.models import binary, serial_chain
+from tests.models import binary, serial_chain, some_rubbing
 from tests.plan.test_parts import hung
 from tests.slow import slow
 
@@ -150,12 +150,15 @@ def test_the_bound_holds_for_short_chains(joints: int, processes: int) -> None:
         *(slow("revolute", 14, 4, 0), slow("revolute", 23, 8, 0), slow("revolute", 98, 4, 8)),
     ],
 )
-@pytest.mark.parametrize("name", ["default", "xeon"])
+@pytest.mark.parametrize(
+    ("name", "friction"), [("default", False), ("xeon", False), ("default", True)]
+)
 def test_no_cut_takes_less_than_the_bound(
-    base: str, joints: int, processes: int, parts: int, name: str
+    base: str, joints: int, processes: int, parts: int, name: str, friction: bool
 ) -> None:
     """All cuts, all ways to put passages together: the least is at least the bound."""
     model, profile = hung(base, joints, seed=3), load_profile(name)
+    model = some_rubbing(model, 1) if friction else model
     topology, play = Topology.of(model), player(model, profile)
     chains = ChainExchange(topology, profile, [True] * joints, "work", parts)
     bounds = [chains.least(processes, processes)]

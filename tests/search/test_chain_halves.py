@@ -6,6 +6,8 @@ from dataclasses import replace
 
 import pytest
 
+from adagen.calibrate.robots import rubbing
+from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.schedule import CostProfile, Schedule, Topology, load_profile
 from adagen.schedule.tree import Gathered
@@ -19,15 +21,16 @@ from tests.slow import slow
 PROFILE = load_profile("default")
 
 
-def halved(joints: int, profile: CostProfile = PROFILE) -> ChainHalves:
-    topology = Topology.of(serial_chain(joints))
-    alone = find_schedule(topology, 2, profile=profile, cuttable=[False] * joints)
-    return ChainHalves(topology, profile, [True] * joints, alone)
+def halved(model: Model, profile: CostProfile = PROFILE) -> ChainHalves:
+    topology = Topology.of(model)
+    alone = find_schedule(topology, 2, profile=profile, cuttable=[False] * len(topology))
+    return ChainHalves(topology, profile, [True] * len(topology), alone)
 
 
 def best(joints: int, *, told: bool, profile: CostProfile = PROFILE) -> tuple[Schedule, float]:
-    play = player(serial_chain(joints), profile)
-    found = halved(joints, profile).best(told, play)
+    model = serial_chain(joints)
+    play = player(model, profile)
+    found = halved(model, profile).best(told, play)
     assert found is not None and found.gathered is not None and found.gathered.told == told
     return found, play(found)[1].makespan
 
@@ -49,7 +52,7 @@ def test_no_link_nearby_is_better(joints: int, told: bool) -> None:
 
 @pytest.mark.parametrize("joints", [60, 200, slow(900)])
 def test_the_bound_holds(joints: int) -> None:
-    assert halved(joints).least(2) <= best(joints, told=True)[1]
+    assert halved(serial_chain(joints)).least(2) <= best(joints, told=True)[1]
 
 
 @pytest.mark.parametrize("name", ["default", "xeon"])
@@ -58,6 +61,23 @@ def test_who_has_many_joints_is_told_of_them(name: str) -> None:
     times = {told: best(900, told=told, profile=profile)[1] for told in (True, False)}
     assert times[True] < times[False]
     assert best(60, told=True)[1] > best(60, told=False)[1]  # a message takes longer than joints
+
+
+@pytest.mark.parametrize("rough", [slice(0, 100), slice(100, 200), slice(0, 200)])
+def test_friction_is_in_the_bound_and_counts_for_the_cut(rough: slice) -> None:
+    """Some joints have friction: those of one process, of the other, or all."""
+    model = serial_chain(200)
+    joints = list(model.joints)
+    joints[rough] = rubbing(model).joints[rough]
+    model = replace(model, joints=tuple(joints))
+    halves, play = halved(model), player(model)
+    found = halves.best(True, play)
+    assert found is not None
+    time = play(found)[1].makespan
+    assert halves.least(2) <= time
+    assert halves.least(2) > halved(serial_chain(200)).least(2)
+    for by in (-10, -3, 3, 10):
+        assert time <= play(moved(found, by))[1].makespan
 
 
 def test_the_search_takes_it() -> None:
@@ -69,10 +89,8 @@ def test_the_search_takes_it() -> None:
 
 
 def test_short_chains_and_trees_are_left_to_layouts() -> None:
-    topology = Topology.of(binary(6))
-    alone = find_schedule(topology, 2, profile=PROFILE, cuttable=[False] * len(topology))
-    assert not ChainHalves(topology, PROFILE, [True] * len(topology), alone).fits
-    assert halved(200).fits and not halved(20).fits
+    assert not halved(binary(6)).fits
+    assert halved(serial_chain(200)).fits and not halved(serial_chain(20)).fits
 
 
 def test_a_prescribed_joint_is_passed_as_its_motion_cannot_be_told() -> None:

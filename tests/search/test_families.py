@@ -20,7 +20,7 @@ from adagen.schedule import Topology, load_profile, schedule_to_json, validate
 from adagen.search import best_schedule, find_schedule, schedule_from_json
 from adagen.search.price import played
 from adagen.urdf import read_robot
-from tests.models import binary, human_figure, random_tree, serial_chain, star
+from tests.models import binary, human_figure, random_tree, serial_chain, some_rubbing, star
 from tests.real import real_robot
 from tests.search.test_meeting_places import with_hands
 from tests.slow import slow
@@ -29,13 +29,20 @@ DEFAULT = load_profile("default")
 
 
 @settings(max_examples=6)
-@given(st.integers(2, 10), st.sampled_from([2, 3, 4]), st.booleans(), st.integers(0, 2**32 - 1))
+@given(
+    st.integers(2, 10),
+    st.sampled_from([2, 3, 4]),
+    st.booleans(),
+    st.booleans(),
+    st.integers(0, 2**32 - 1),
+)
 def test_nothing_that_is_joined_is_faster(
-    joints: int, processes: int, floating: bool, seed: int
+    joints: int, processes: int, floating: bool, friction: bool, seed: int
 ) -> None:
     """Random schedule trees, played through, beside what is proven."""
     rng = np.random.default_rng(seed)
     model = random_tree(rng, joints, branching=0.4, floating=floating)
+    model = some_rubbing(model, seed) if friction else model
     best, topology = best_schedule(model, processes, DEFAULT), Topology.of(model)
     loops = best_schedule(model, processes, DEFAULT, shape="kernels")
     assert loops.lower_bound <= loops.makespan == played(model, loops, DEFAULT)

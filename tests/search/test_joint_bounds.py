@@ -14,15 +14,11 @@ from adagen.search.layouts import MeetingPlace
 from adagen.search.limbs import Robot
 from adagen.search.whole_limb_bounds import SweepBound
 from tests.cost.costs import step_profile
-from tests.models import Part, assemble, rod, vector
+from tests.models import Part, assemble, rod, some_rubbing, vector
 from tests.search.test_layout_search import Case
 from tests.slow import all_but, spread
 
 PROFILES = {"default": load_profile("default"), "others": step_profile()}
-HANDS = {
-    "fingers and thumbs": (3, 3, 1, 2),
-    "short ones": (1, 1, 1, 1, 1),
-}
 
 
 def hand(fingers: tuple[int, ...], wrist: int = 2) -> Model:
@@ -42,11 +38,18 @@ def hand(fingers: tuple[int, ...], wrist: int = 2) -> Model:
     return assemble("hand", parts)
 
 
+HANDS = {
+    "fingers and thumbs": hand((3, 3, 1, 2)),
+    "short ones": hand((1, 1, 1, 1, 1)),
+    "with friction": some_rubbing(hand((2, 2, 1)), 1),
+}
+
+
 @pytest.mark.parametrize("profile", spread(PROFILES, 1))
 @pytest.mark.parametrize("name", all_but(HANDS, "fingers and thumbs"))
 def test_no_set_of_limbs_is_priced_below_its_floor(name: str, profile: str) -> None:
     """Pairs of limbs, and all limbs but one, of each core that has at least three."""
-    case = Case(hand(HANDS[name]), 2, PROFILES[profile])
+    case = Case(HANDS[name], 2, PROFILES[profile])
     joint_bounds, seen = case.bounds.joint_bounds, 0
     for core in case.all_cores():
         if len(core) != 1 or core[0].root == 0:

@@ -24,7 +24,7 @@ from adagen.search.limbs import Core, Robot
 from adagen.search.meeting_places import in_place
 from adagen.search.price import Pricing
 from tests.cost.costs import step_profile
-from tests.models import human_figure, random_tree
+from tests.models import human_figure, random_tree, some_rubbing
 from tests.slow import spread
 
 DEFAULT = load_profile("default")
@@ -95,13 +95,17 @@ class Case:
 
 
 def robots(count: int, profile: CostProfile) -> Iterator[Case]:
-    """Yield small random robots, of few kinds of joints so that limbs are alike."""
+    """Yield small random robots, of few kinds of joints so that limbs are alike.
+
+    Every other one of those with a base that floats, and of those without, has friction.
+    """
     seed = 0
     while count:
         seed += 1
         rng = np.random.default_rng(seed)
         joints, processes = 3 + seed % 6, 2 + (seed % 3 == 0)
         model = random_tree(rng, joints, branching=0.6, floating=seed % 2 == 0)
+        model = some_rubbing(model, seed) if seed % 4 > 1 else model
         if can_gather(model):
             count -= 1
             yield Case(model, processes, profile)

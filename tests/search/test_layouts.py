@@ -27,6 +27,7 @@ from tests.models import (
     random_tree,
     rod,
     serial_chain,
+    some_rubbing,
     vector,
 )
 
@@ -87,15 +88,23 @@ def compared(model: Model, processes: int, profile: CostProfile, seed: int, coun
     st.integers(2, 22),
     st.integers(2, 3),
     st.booleans(),
+    st.booleans(),
     st.sampled_from([0.1, 0.4]),
     st.sampled_from([DEFAULT, OTHERS]),
     st.integers(0, 2**32 - 1),
 )
 def test_what_is_composed_is_what_is_played(
-    joints: int, processes: int, floating: bool, branching: float, profile: CostProfile, seed: int
+    joints: int,
+    processes: int,
+    floating: bool,
+    friction: bool,
+    branching: float,
+    profile: CostProfile,
+    seed: int,
 ) -> None:
     rng = np.random.default_rng(seed)
     model = random_tree(rng, joints, branching=branching, floating=floating)
+    model = some_rubbing(model, seed) if friction else model
     if can_gather(model):
         compared(model, processes, profile, seed, 6)
 
@@ -104,6 +113,16 @@ def test_what_is_composed_is_what_is_played(
 def test_long_runs_are_parted_by_what_others_pass(profile: CostProfile) -> None:
     for model in (serial_chain(40), serial_chain(50, floating=True)):
         assert compared(model, 2, profile, 3, 40) > 5
+
+
+def test_limbs_with_friction_and_without_are_not_alike() -> None:
+    rough = some_rubbing(human_figure(), 3)
+    assert compared(rough, 3, OTHERS, 1, 60) > 10
+    kinds = [
+        len({limb.kind for limb in Robot(joints_of(model)).limbs((Core(0, 1),))})
+        for model in (human_figure(), rough)
+    ]
+    assert kinds[0] < kinds[1]
 
 
 def test_layouts_of_a_figure_are_what_schedules_say() -> None:

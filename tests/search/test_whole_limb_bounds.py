@@ -25,7 +25,7 @@ from adagen.search.named import named_schedule
 from adagen.search.price import played
 from adagen.search.whole_limb_bounds import WholeLimbBounds
 from tests.cost.costs import step_profile
-from tests.models import random_tree
+from tests.models import random_tree, some_rubbing
 from tests.search.test_joint_bounds import hand
 from tests.search.test_layout_search import Case
 from tests.search.test_meeting_places import with_hands
@@ -37,6 +37,7 @@ HANDS = {
     "unequal": hand((4, 4, 4, 1, 1)),
     "thumb": hand((3, 3, 3, 2, 1)),
     "pairs": hand((4, 4, 2)),
+    "with friction": some_rubbing(hand((3, 2, 2)), 1),
     **{f"tree {k}": random_tree(np.random.default_rng(k), 9, branching=0.6) for k in range(3)},
 }
 
