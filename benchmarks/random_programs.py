@@ -3,7 +3,8 @@
     python -m benchmarks.random_programs [--minutes 15] [--seed 1] [--keep DIR]
 
 A third are real robots (package example-robot-data), the others trunks with alike arms, fingers on
-these, and links that other arms hang on; options are drawn from those of tests/options.py.
+these, and links that other arms hang on; options are drawn from those of tests/options.py, scenes
+from those and from many more (random_scenes.py).
 Generation has to end in 0, or refuse the input (1) or the options (2) in words; `make check` has to
 end in 0, and the compiler must not warn. CXXFLAGS is passed on. Whatever fails is told at once with
 its command and kept in DIR, and the status is 1.
@@ -23,11 +24,15 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from adagen.errors import AdagenError
+from adagen.library import read
+from benchmarks.random_scenes import scene
 from benchmarks.real_robots import DATA, FIXED, FLOATING
 from tests.options import COMPANIONS, OPTIONS, names_of, typed
 
 LIMIT = 400.0
 """Seconds that a command may take."""
+_SCENES = 0.5
+"""Share of cases with a scene at random."""
 _AXES = ("1 0 0", "0 1 0", "0 0 1")
 _INERTIA = '<inertia ixx="{0}" iyy="{1}" izz="{2}" ixy="0.0001" ixz="0" iyz="0"/>'
 
@@ -102,10 +107,15 @@ def words(draw: random.Random, robot: Path, folder: Path) -> list[str]:
     """
     case: dict[str, str] = {}
     offered = sorted(set(OPTIONS) - {"--target"})  # what is embedded has no program to check
-    for option in draw.sample(offered, draw.randint(1, 5)):
+    model, own = read(robot).model, ""
+    staged = draw.random() < _SCENES
+    for option in draw.sample(offered, draw.randint(0, 3) if staged else draw.randint(1, 5)):
         value = draw.choice(OPTIONS[option][1:])
         case |= {**COMPANIONS.get((option, value), {}), option: value}
-    return typed(robot, names_of(robot), case, folder)
+    if staged:
+        case.pop("--scene", None)
+        own = scene(draw, model, floating="--floating" in case)
+    return typed(robot, names_of(robot), case, folder, own)
 
 
 def outcome(case: list[str], folder: Path) -> tuple[str, str]:

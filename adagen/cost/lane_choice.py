@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
 from adagen.cost.features import operation_features
-from adagen.executor import Grouping, chosen_grouping, simulate
+from adagen.executor import Grouping, chosen_grouping, counted_stretches, simulate
 from adagen.plan import Plan
 from adagen.plan.certificate import looped
 from adagen.plan.simd_groups import Limbs, simd_groupings
@@ -33,6 +33,9 @@ held fixed (66 thousand), which takes 1.7 times the plain answer without a loop 
 _AIMED_AT, _FUNCTION = 0.961, 2_000
 """Bytes for each of that cache that longer ones come to where a loop sweeps residuals, and those of
 the loop."""
+_LONGER = 1.03
+"""How much longer than without a loop a line may be predicted to take that has one: it counts what
+lines take that do not fit by statements, not by bytes (docs/records/certificates.md)."""
 _IN_VAIN = 1.1
 """Bytes for each of that cache that a line may have with all rows in a loop, or it has none:
 valkyrie with all that loops take is as fast with one (1.09), tiago_dual 7 % slower (1.20)."""
@@ -64,13 +67,17 @@ def programmed(
         limbs = tuple(chosen_limbs(plan, process, costs) for process in plan.processes)
         return lower(plan, shape, limbs=limbs, costs=costs, again=again)
     limbs = chosen_grouping(plan, costs)
-    within = _within_cache(plan, limbs, costs["unrolled.cache"])
+    within = _within_cache(plan, limbs, costs)
     return lower(within, shape, limbs=limbs, costs=costs)
 
 
-def _within_cache(plan: Plan, limbs: Grouping, cache: float) -> Plan:
-    """A plan with residuals that a loop sweeps, for as many rows as its line is too long."""
-    every = looped(plan, len(plan.joints))
+def _within_cache(plan: Plan, limbs: Grouping, costs: StepCosts) -> Plan:
+    """A plan with residuals that a loop sweeps, for as many rows as its line is too long.
+
+    That is not done where it takes longer by the profile: on some machines lines that do not fit
+    take less than a loop.
+    """
+    every, cache = looped(plan, len(plan.joints)), costs["unrolled.cache"]
     if every is None or any(step.looped for step in plan.steps_of(Certify)):
         return plan
     length = _length(plan, limbs)
@@ -81,7 +88,17 @@ def _within_cache(plan: Plan, limbs: Grouping, cache: float) -> Plan:
     if not rows or least + _FUNCTION > _IN_VAIN * cache:
         return plan
     saved = (length - least) / rows
-    return looped(plan, math.ceil((length + _FUNCTION - _AIMED_AT * cache) / saved)) or plan
+    found = looped(plan, math.ceil((length + _FUNCTION - _AIMED_AT * cache) / saved))
+    if found is None:
+        return plan
+    longer = _straight_time(found, limbs, costs) / _straight_time(plan, limbs, costs)
+    return found if longer <= _LONGER else plan
+
+
+def _straight_time(plan: Plan, limbs: Grouping, costs: StepCosts) -> float:
+    """Predicted time of the longest straight line of a plan, microseconds."""
+    lines = counted_stretches(plan, limbs, costs["unrolled.held"])
+    return max(sum(part.time(costs) for part in parts) for parts in lines)
 
 
 def _length(plan: Plan, limbs: Grouping) -> float:

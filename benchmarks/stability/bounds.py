@@ -144,7 +144,7 @@ def plan_elsewhere(model: Model, scalar: str = "double") -> Plan:
 def bounded(
     model: Model,
     states: States,
-    ways: list[Certified],
+    ways: Sequence[Certified],
     toolchain: Toolchain,
     truth: Sequence[Array | None] | None = None,
 ) -> dict[Certified, Bounded]:
