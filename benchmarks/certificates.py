@@ -7,7 +7,7 @@
     python -m benchmarks.certificates chains [the same]
     python -m benchmarks.certificates predicted [the same]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
-    python -m benchmarks.certificates real [NAME ...] [--write FILE]
+    python -m benchmarks.certificates real [NAME or ROBOT.urdf ...] [--write FILE]
     python -m benchmarks.certificates mechanisms [NAME ...] [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
@@ -18,8 +18,9 @@ mechanisms with closed loops, half of their states as near singular ones as are 
 with the plan in 400 bits: which rows are left out where they follow from others is its choice, and
 a state in doubles closes loops up to rounding only. Times are minima of runs with and without
 certificates by turns, of robots or, for "mechanisms", of benchmarks/closed_robots.py; loops are in
-a scene of the robot's name beside it. "real" takes robots of benchmarks/choice.py, in the shape
-that is chosen by the profile of this machine's processor, and medians. "predicted" lays the largest
+a scene of the robot's name beside it, as of other files. "real" takes robots of
+benchmarks/choice.py, or files, in the shape that is chosen by the profile of this machine's
+processor, and medians. "predicted" lays the largest
 error of each robot of "errors" beside the one that is predicted for it in hard poses, errors above
 1 counted as 1. With --record, what was found of each robot is a line of JSON in a file: the command
 again goes on with the robots that are not there yet. Each table has a file of its own.
@@ -205,8 +206,7 @@ def measured_times(files: Sequence[str]) -> list[str]:
     """Return the table of times of robots."""
     rows = []
     for path in map(Path, files):
-        scene = path.with_suffix(".toml")
-        robot = adagen.read(path, scene=scene if scene.exists() else None)
+        robot = _of_file(path)
         for shape, batch in SHAPES:
             try:
                 plain, certified = fastest(robot.model, _made(robot, shape=shape, batch=batch))
@@ -218,8 +218,14 @@ def measured_times(files: Sequence[str]) -> list[str]:
     return list(table(("robot", "shape", *TIMED), rows))
 
 
+def _of_file(path: Path) -> adagen.Robot:
+    """Return the robot of a file, in the scene of its name beside it."""
+    scene = path.with_suffix(".toml")
+    return adagen.read(path, scene=scene if scene.exists() else None)
+
+
 def measured_real(names: Sequence[str]) -> list[str]:
-    """Return the table of times of real robots, as ``--shape auto`` emits them here.
+    """Return the table of times of real robots or files, as ``--shape auto`` emits them here.
 
     Medians of rounds; a ratio is the median of those of two turns of one round, between which a
     machine that others share hardly changes its speed.
@@ -228,9 +234,12 @@ def measured_real(names: Sequence[str]) -> list[str]:
     tell(f"profile {profile}")
     rows = []
     for name in names:
-        file, floating = REAL[name]
-        robot = adagen.read(file, floating=floating)
-        cells = [name, str(robot.model.nv)]
+        if name in REAL:
+            file, floating = REAL[name]
+            robot = adagen.read(file, floating=floating)
+        else:
+            robot = _of_file(Path(name))
+        cells = [Path(name).stem, str(robot.model.nv)]
         for batch in (False, True):
             plain, certified = raced(robot.model, _made(robot, profile=profile, batch=batch), PAIRS)
             ratio = median(b / a for a, b in zip(plain.turns, certified.turns, strict=True))
