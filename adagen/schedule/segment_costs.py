@@ -89,6 +89,7 @@ class SegmentCosts:
         alone: per position, what its joint takes inside a chain besides, its child link and the
             tangents of its friction included. Those of joined joints are left out: they are taken
             before their process waits for the other.
+        tangents: per position, these alone.
         outward: per position, what it takes to carry mobility across it and loads back, without
             the loads themselves.
         kinematics: per link, of all joints between it and the ground, where they are only passed.
@@ -127,9 +128,10 @@ class SegmentCosts:
             self.own if passing is None else [round(passing[kind] * TICKS) for kind in kinds]
         )
         tangent = self._ticks("process.tangent")
+        self.tangents = [tangent * topology.tangents_of(j) for j in self.chains.original]
         self.alone = [
-            self._alone(*row).plus(Price(tangent * topology.tangents_of(j), 0))
-            for row, j in zip(rows, self.chains.original, strict=True)
+            self._alone(*row).plus(Price(own, 0))
+            for row, own in zip(rows, self.tangents, strict=True)
         ]
         self.outward = [self._outward(*row) for row in rows]
         self.join = [

@@ -104,7 +104,8 @@ class Hubs:
     def _single(self, hub: _Hub, cuts: int) -> float:
         """The least where so many cuts may be around the segment of a hub."""
         costs, plain = self._costs, self._plain
-        least, way = inf, 0
+        least, way, rubbed = inf, 0, 0.0
+        rub = sorted(sum(costs.tangents[p : self._chains.end[p]]) for p in hub.limbs)
         # By the cut towards the ground: at each joint on the way there, and at last none.
         for above in (*hub.above, None):
             once, most = costs.start, cuts
@@ -115,13 +116,16 @@ class Hubs:
                 continue
             for count, joins in self._limb_joins(hub, most):
                 chains = [self._reach[p] for p in hub.limbs[count:]]
-                time = (
-                    once + self._whole_limbs.beside(chains, way) * TICKS
-                ) / self._fastest + joins
+                # Whichever limbs are cut, so many are left, and the friction of those with least.
+                work = once + rubbed + sum(rub[: len(chains)])
+                work += self._whole_limbs.beside(chains, way) * TICKS
+                time = work / self._fastest + joins
                 if above is not None:
                     time += self._join([above])
                 least = min(least, time)
-            way += above is not None and plain[above]
+            if above is not None:
+                way += plain[above]
+                rubbed += costs.tangents[above]
         return least
 
     def _together(self, a: _Hub, b: _Hub, between: set[int], cuts: int) -> float:
@@ -152,8 +156,10 @@ class Hubs:
 
         Args:
             positions: the joints.
-            share: what each plain one takes at least.
+            share: what each plain one takes at least, without its friction.
         """
         costs = self._costs
         own = ((p, costs.own[p] + costs.alone[p].total) for p in positions)
-        return sum(max(share, least) if self._plain[p] else least for p, least in own)
+        return sum(
+            max(share + costs.tangents[p], least) if self._plain[p] else least for p, least in own
+        )

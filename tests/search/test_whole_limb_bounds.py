@@ -130,7 +130,11 @@ def test_a_hand_is_divided_in_the_way_that_takes_least() -> None:
 
 
 TWO_HANDS = with_hands(2, 3, 2, floating=True), with_hands(2, 4, 1, floating=True)
-HUBS = {**HANDS, **{f"two hands {k}": model for k, model in enumerate(TWO_HANDS)}}
+HUBS = {
+    **HANDS,
+    **{f"two hands {k}": model for k, model in enumerate(TWO_HANDS)},
+    "two hands with friction": some_rubbing(TWO_HANDS[1], 2),
+}
 
 
 @pytest.mark.parametrize("profile", spread(PROFILES, 1))
