@@ -2,6 +2,7 @@
 
     python -m benchmarks.certificates errors [--robots 24] [--states 400] [--seed 1]
                                              [--record FILE] [--write FILE]
+    python -m benchmarks.certificates balanced [the same]
     python -m benchmarks.certificates loops [the same]
     python -m benchmarks.certificates shared [the same]
     python -m benchmarks.certificates chains [the same]
@@ -13,7 +14,8 @@
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
 the energy norm against certified accelerations; "shared" takes trees whose limbs two or three
 threads share, long arms that two share, and batches that two processes of MPI share; "chains" takes
-long chains of hinges, whole and in parts, one in each SIMD lane; "loops" takes
+long chains of hinges, whole and in parts, one in each SIMD lane; "balanced" takes torques that
+balance strong dampers, springs and friction; "loops" takes
 mechanisms with closed loops, half of their states as near singular ones as are found, and compares
 with the plan in 400 bits: which rows are left out where they follow from others is its choice, and
 a state in doubles closes loops up to rounding only. Times are minima of runs with and without
@@ -28,7 +30,7 @@ again goes on with the robots that are not there yet. Each table has a file of i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from statistics import median
@@ -56,8 +58,10 @@ from benchmarks.hard import Asked, fastest, hard_mechanisms, hard_robots, raced,
 from benchmarks.page import MODELS, Record
 from benchmarks.solvers import source_of, tell
 from benchmarks.stability.adversary import arms, long_chains, trees
+from benchmarks.stability.balanced import balanced
 from benchmarks.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 
+SIZES = 0, 7  # powers of ten between which passive forces are that torques balance
 PAIRS = 21  # rounds, in each of which the plain solver and the certified one have a turn
 TIMED = ("plain, ns", "certified, ns", "ratio")
 EVERY = 1000  # rows that a loop sweeps: more than robots have
@@ -127,6 +131,17 @@ def errors_table(found: Mapping[tuple[str, str], Sequence[Bounded]]) -> list[str
 def measured_errors(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
     """Return the table of random robots."""
     return _measured(hard_robots(asked), WAYS, asked, record, toolchain)
+
+
+def measured_balanced(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
+    """Return the table of random robots whose torques balance strong passive forces."""
+    return _measured(_balanced(asked), WAYS, asked, record, toolchain)
+
+
+def _balanced(asked: Asked) -> Iterator[tuple[str, Model, States]]:
+    for k, (family, model, hard) in enumerate(hard_robots(asked)):
+        size = 10.0 ** np.random.default_rng((asked.seed, k)).uniform(*SIZES)
+        yield family, *balanced(model, hard, size, asked.seed + k)
 
 
 def measured_loops(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
@@ -285,6 +300,7 @@ def main() -> None:
     usual = Asked(24, 400, 1)
     tables = {
         "errors": measured_errors,
+        "balanced": measured_balanced,
         "loops": measured_loops,
         "shared": measured_shared,
         "chains": measured_chains,

@@ -250,15 +250,27 @@ class Allowance:
         force = total([passed[3], *(x * x for x in left[3:])])
         return np.array([*moments, force], dtype=object)
 
-    def handed_noise(self, x: Transform, free: list[int], given: Array, noise: Array) -> Array:
-        """The squares that a joint passes on; along it at most those of its torques."""
-        turned = x.rotation.magnitudes(self.torques_in(free, given, noise)[:3])
-        return np.array([*(turned + self._levers(x, noise[3])), noise[3]], dtype=object)
+    def handed_noise(
+        self, x: Transform, free: list[int], given: Array, spent: Array, noise: Array
+    ) -> Array:
+        """The squares that a joint passes on; along it at most those of its torques.
 
-    def torques_in(self, free: list[int], given: Array, noise: Array) -> Array:
+        Args:
+            x: of the joint.
+            free: the entries of a wrench that are along it.
+            given: its torques, shape (n,).
+            spent: squares of what passive forces took of these, which is rounded, too, shape (n,).
+            noise: squares at the link beyond, shape (4,).
+        """
+        passed = self.torques_in(free, given, spent, noise)
+        turned = x.rotation.magnitudes(passed[:3])
+        return np.array([*(turned + self._levers(x, passed[3])), passed[3]], dtype=object)
+
+    def torques_in(self, free: list[int], given: Array, spent: Array, noise: Array) -> Array:
         """Squares of moments and forces with a joint's torques in place of those along it."""
-        torques = dict(zip(free, given * given, strict=True))
-        return np.array([*(torques.get(k, noise[k]) for k in range(3)), noise[3]], dtype=object)
+        torques = dict(zip(free, given * given + spent, strict=True))
+        force = total([noise[3], *(x for k, x in zip(free, spent, strict=True) if k >= 3)])
+        return np.array([*(torques.get(k, noise[k]) for k in range(3)), force], dtype=object)
 
     def noise_back(self, x: Transform, noise: Array) -> Array:
         """Squares of moments and forces at a joint's parent link, from those at its child link."""

@@ -284,14 +284,14 @@ class Certificate(Allowance):
         body: Articulated = self.memory["articulated", j]
         left, noise = self.memory["left", j + 1], self.noise_at(j + 1)
         free = list(self.state.kind(j).free)
-        given = self._given(j, 1)
+        given, spent = self._given(j, 1), self.state.spent_squares(j)
         driven = given - left[free]
-        self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]])
+        self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]] + spent)
         if not any(self.state.rows.near_links(j)):
             return
         passed = self._passed(j, left, given, driven)
         self.state.rows.hand_on("left", j, x.force(passed))
-        self.state.rows.hand_on("noise", j, self.handed_noise(x, free, given, noise))
+        self.state.rows.hand_on("noise", j, self.handed_noise(x, free, given, spent, noise))
         if self.bases:
             bare = self.memory["bare", j + 1]
             own = np.array([*x.rotation.vector(bare[:3]), bare[3]], dtype=object)
@@ -304,12 +304,12 @@ class Certificate(Allowance):
         far, free = self.state.plan.joints[j].parent, list(self.state.kind(j).free)
         left = x.force_back(self.memory["left", far])
         noise = self.noise_back(x, self.noise_at(far))
-        given = self._given(j, -1)
+        given, spent = self._given(j, -1), self.state.spent_squares(j)
         driven = given - left[free]
-        self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]])
+        self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]] + spent)
         for name, own in (
             ("left", self._passed(j, left, given, driven)),
-            ("noise", self.torques_in(free, given, noise)),
+            ("noise", self.torques_in(free, given, spent, noise)),
         ):
             self.memory[name, j + 1] = self.memory[name, j + 1] + own
 

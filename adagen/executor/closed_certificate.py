@@ -193,10 +193,11 @@ class ClosedCertificate(Allowance):
     def _pass_articulated(self, j: int) -> None:
         body: Articulated = self.memory["articulated", j]
         noise, free = self.noise_at(j + 1), list(self.state.kind(j).free)
-        noise_along = noise[[min(k, 3) for k in free]]
+        spent = self.state.spent_squares(j)
+        noise_along = noise[[min(k, 3) for k in free]] + spent
         self.weigh_noise(self.run(j), self.count(j), body.factors, noise_along)
         given = self.state.torques(j)[:, 0]
-        self._hand_on(j, free, given, noise)
+        self._hand_on(j, free, given, spent, noise)
 
     def _pass_held(self, step: HoldBack) -> None:
         """Squares at a joint whose acceleration is an unknown: its own, and all passed on."""
@@ -210,11 +211,13 @@ class ClosedCertificate(Allowance):
         ]
         own, arm_lanes = self.held.setdefault(step.closure, {}), self.machine.closures.arm_lanes
         firsts = [front.first[each] for each in arm_lanes.holds.get(j, (j,))]
+        spent = self.state.spent_squares(j)
         for k, row in enumerate(self.state.kind(j).free):
-            here = arm_lanes.each(total([noise[min(row, 3)], *(x * x for x in tied)]), len(firsts))
+            squares = total([noise[min(row, 3)], spent[k], *(x * x for x in tied)])
+            here = arm_lanes.each(squares, len(firsts))
             own.update((first + k, x) for first, x in zip(firsts, here, strict=True))
         if j not in self._in_loop:
-            self._hand_on(j, [], self.state.zeros(0), noise)
+            self._hand_on(j, [], self.state.zeros(0), self.state.zeros(0), noise)
 
     def _held_noise(self, j: int) -> Array:
         """Squares at a joint that a loop sweeps, of which only those along it count here."""
@@ -223,9 +226,9 @@ class ClosedCertificate(Allowance):
         _, noise[min(self.loop.along(j), 3)] = self.loop.held(j)
         return noise
 
-    def _hand_on(self, j: int, free: list[int], given: Array, noise: Array) -> None:
+    def _hand_on(self, j: int, free: list[int], given: Array, spent: Array, noise: Array) -> None:
         if any(self.state.rows.near_links(j)):
-            passed = self.handed_noise(self.memory["X", j], free, given, noise)
+            passed = self.handed_noise(self.memory["X", j], free, given, spent, noise)
             self.state.rows.hand_on("noise", j, passed)
 
     # -- closures ---------------------------------------------------------------------------------

@@ -64,10 +64,12 @@ class FloatingParts:
             free = list(self.state.kind(j).free)
             force = self.memory[name][:, 0].copy()
             force[free] = self._driving(j)
+            spent = self.state.spent_squares(j)
             noise = np.array([*(force[:3] * force[:3]), self.found.square(force[3:])], object)
+            noise = self.found.torques_in(free, force[free], spent, noise)
             self._add(link, -force, noise)
             if self.state.plan.joints[j].parent:
-                handed = self.found.handed_noise(x, free, force[free], noise)
+                handed = self.found.handed_noise(x, free, force[free], spent, noise)
                 self._add(link - 1, x.force(force), handed)
 
     def _driving(self, j: int) -> Array:

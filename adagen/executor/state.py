@@ -254,6 +254,13 @@ class State(ProcessMemory):
             lost[0].append(-(turned * self._of_joint(j, lambda joint: joint.stiffness)))
         return lost
 
+    def spent_squares(self, j: int) -> Array:
+        """Squares of what damping, friction and a spring take of a joint's torques, shape (n,)."""
+        squares = self.zeros(self.kind(j).nv)
+        for k, lost in enumerate(self._lost(j)):
+            squares[k] = total([squares[k], *(x * x for x in lost)])
+        return squares
+
     def _of_joint(self, j: int, read: Callable[[PlanJoint], float]) -> Expression:
         """A number of a joint; for a row, a wide one."""
         return cast("Expression", self.rows.of_joint(j, read)[()])

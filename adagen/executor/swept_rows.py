@@ -9,12 +9,13 @@ sums are those of certificate.py and closed_certificate.py, to rounding.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.allowance import Sums
 from adagen.executor.frames import Transform
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
@@ -53,6 +54,18 @@ class Certificate(Protocol):
     motion: Motion
     bases: list[int]
     closed: bool
+    rounded: Sums
+
+    def run(self, j: int) -> Hashable:
+        """Return what a joint's sums belong to."""
+
+    def count(self, j: int) -> int:
+        """Return how many lanes of them count."""
+
+    def handed_noise(
+        self, x: Transform, free: list[int], given: Array, spent: Array, noise: Array
+    ) -> Array:
+        """Return the squares that a joint passes on, shape (4,)."""
 
     def square(self, numbers: Iterable[Expression]) -> Expression:
         """Return the sum of squares."""
@@ -91,6 +104,7 @@ class SweptRows:
         near = (rows.name_of(link) for j in looped for link in self._near(j) if link)
         #: links that no loop sweeps and that gather from those that it does
         self.gather = [link for link in dict.fromkeys(near) if link not in self._places]
+        self._weigh_spent()
         end = len(found) * size
         for k, link in enumerate(self.gather):
             self._places[link] = end + k * GATHERED * self._lanes
@@ -166,7 +180,8 @@ class SweptRows:
         numbers = dict(enumerate(wrench if taken is None else wrench + taken))
         if taken is not None and self.certificate.bases:
             numbers |= dict(enumerate(taken[3:], start=FORCE))
-        numbers |= dict(enumerate(self.certificate.squares_at(j + 1), start=SQUARES))
+        squares = self.certificate.squares_at(j + 1) + memory["spent", j + 1]
+        numbers |= dict(enumerate(squares, start=SQUARES))
         numbers |= dict(enumerate(memory["a", j + 1][:, 0], start=ACCELERATION))
         numbers[TORQUE] = self.certificate.torque_at(j)
         if not self.holds(j):
@@ -183,6 +198,27 @@ class SweptRows:
         self._left += [(first + k * self._lanes, x, width) for k, x in left.items()]
         if not left.keys().isdisjoint(range(SQUARES, GATHERED)):
             self._added.add(first - first % self._lanes)
+
+    def _weigh_spent(self) -> None:
+        """Weigh squares of what passive forces take, of which the loop knows nothing.
+
+        Their energies are added here; what they leave at near links is among squares there. A joint
+        that holds has them in its own equation alone.
+        """
+        rows, memory = self.state.rows, self.state.memory
+        links = (*(j + 1 for j in self.looped), *self.gather)
+        memory.update({("spent", link): self.state.zeros(4) for link in links})
+        for j in self.looped:
+            spent = self.state.spent_squares(j)
+            if self.holds(j) or spent[0].constant == 0:
+                continue
+            found, body = self.certificate, memory["articulated", j]
+            found.rounded.add(found.run(j), found.count(j), spent[0] * body.factors.inverses[0])
+            noise, nothing = self.state.zeros(4), self.state.zeros(0)
+            noise[min(self.along(j), 3)] = spent[0]
+            if any(rows.near_links(j)):
+                handed = found.handed_noise(memory["X", j], [], nothing, nothing, noise)
+                rows.hand_on("spent", j, handed)
 
     def taken(self, j: int) -> Array | None:
         """Return the wrench that accelerations of links take whose inertias are set at run time.
@@ -261,7 +297,8 @@ class SweptRows:
         first, width = self._places[link], len(self.state.rows.lanes(link - 1))
         places = [first + k * self._lanes for k in range(GATHERED)]
         found = np.array([self._given(place, width) for place in places], dtype=object)
-        return found[:SQUARES], found[SQUARES:FORCE], found[FORCE:]
+        squares = found[SQUARES:FORCE] + self.state.memory["spent", link]
+        return found[:SQUARES], squares, found[FORCE:]
 
     def held(self, j: int) -> tuple[Expression, Expression]:
         """Return what is left along a joint that holds, and the square of what makes it up."""

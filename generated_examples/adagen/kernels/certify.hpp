@@ -138,6 +138,14 @@ ADAGEN_INLINE T driving(Workspace& w, const Joints<T>& joints) {
   return reversed ? -tau : tau;
 }
 
+// The square of what passive forces take of a joint's torque, which is rounded, too.
+template <class T>
+ADAGEN_INLINE T spent_square(Workspace& w, const Joints<T>& joints, int freedom = 0) {
+  return each(joints, [&w, freedom](const JointConstants& own) {
+    return w.spent_squares[static_cast<std::size_t>(own.v + freedom)];
+  });
+}
+
 // A joint of one freedom that is left u, and has units of rounding; see eliminate in inward.hpp.
 template <bool reversed, class T>
 ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T& u, const T& units,
@@ -184,12 +192,17 @@ ADAGEN_INLINE void weigh_turned(Workspace& w, const Joints<T>& joints, Left<T>& 
   const T u = driving<false>(w, joints) - own_share<along>(w, joints, units) - brought;
   add_weighed_link(w, joints, X);
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  if constexpr (kAnySpent) {
+    const T spent = spent_square(w, joints);
+    units += spent, (along ? X.forces : X.moments) += spent;
+  }
   weigh_freedom<false>(w, joints, u, units, X, found);
 }
 template <bool along, bool reversed, class T>
 ADAGEN_INLINE void weigh_in_base(Workspace& w, const Joints<T>& joints, Left<T>& X,
                                  Found<T>& found) {
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  if constexpr (kAnySpent) (along ? X.forces : X.moments) += spent_square(w, joints);
   const T brought = dot(axis_at<T>(w.at(joints.slot, kAxes)), along ? X.f : X.n);
   const T u = driving<reversed>(w, joints) - brought;
   weigh_freedom<reversed>(w, joints, u, along ? X.forces : X.moments, X, found);
@@ -203,14 +216,17 @@ ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T
   Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
   if constexpr (reversed) torque = -torque;
   const Vector<T> u = torque - X.n;
-  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  T spent{};
+  if constexpr (kAnySpent)
+    ADAGEN_FOR (k, 0, 3) spent += spent_square(w, joints, k);
+  X.moments += dot(X.n, X.n) + spent, X.forces += dot(X.f, X.f);
   const Vector<T> y = solved(e + 12, u);
   found.seen += seen_by(e + 12, trace_of(e + 12), dot(u, y));
   if constexpr (kRefine > 0) e[9] = y.x, e[10] = y.y, e[11] = y.z;
   found.rounded += X.moments * trace_of_inverse(e + 12);
   X.f += transposed_times(Matrix<T>{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}}, u);
   X.n = torque;
-  X.moments = dot(torque, torque);
+  X.moments = dot(torque, torque) + spent;
   if constexpr (!reversed) X.n += cross(w.memory(joints).r, X.f);
 }
 

@@ -184,10 +184,11 @@ struct Workspace : State, Cuts, Inertias {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
-  std::array<Value, kAnySpent ? kNv : 0> spent{};                // by damping, friction and springs
-  std::array<Body<Value>, kKeepsFree ? kJointCount : 0> free{};  // beyond floating joints
-  std::array<Lanes, kCarriesAlong ? kJointCount : 0> driven{};   // by unit wrenches on a run's end
-  std::array<Body<Value>, kWide ? kJointCount : 0> whole{};      // beyond each joint, to be refined
+  std::array<Value, kAnySpent ? kNv : 0> spent{};  // by damping, friction and springs
+  std::array<Value, kAnySpent && kWeighed ? kNv : 0> spent_squares{};  // of each of them
+  std::array<Body<Value>, kKeepsFree ? kJointCount : 0> free{};        // beyond floating joints
+  std::array<Lanes, kCarriesAlong ? kJointCount : 0> driven{};  // by unit wrenches on a run's end
+  std::array<Body<Value>, kWide ? kJointCount : 0> whole{};     // beyond each joint, to be refined
 
   Workspace() {
     for (Block& block : blocks)  // slots that are not filled do not turn

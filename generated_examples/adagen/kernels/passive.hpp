@@ -79,23 +79,30 @@ ADAGEN_INLINE auto constants_from(const Real* x) {
     return from_memory<T>(x);
 }
 
+template <class T, std::size_t count>
+ADAGEN_INLINE void put_spent(const T& x, const int* place, std::array<Value, count>& to) {
+  Value each[kRatesAtOnce];
+  std::memcpy(each, &x, sizeof each);
+  for (std::size_t lane = 0; lane < kRatesAtOnce; ++lane)
+    to[static_cast<std::size_t>(place[lane])] = each[lane];
+}
+
 template <std::size_t count>
 void take_passive(Workspace& w, const PassiveForces<count>& of) {
   using T = RatesAtOnce;
   const Value *const q = w.q, *const v = w.v;
   for (std::size_t k = 0; k < count; k += kRatesAtOnce) {
     const T rates = values_at<T>(v, &of.v[k]);
-    T spent = rates * constants_from<T>(&of.damping[k]);
+    T spent = rates * constants_from<T>(&of.damping[k]), squares = spent * spent;
+    const auto take = [&](const T& more) ADAGEN_ALWAYS { spent += more, squares += more * more; };
     if (kAnyFriction && k < of.with_friction)
-      spent +=
-          tangent_of(rates * constants_from<T>(&of.factor[k])) * constants_from<T>(&of.friction[k]);
+      take(tangent_of(rates * constants_from<T>(&of.factor[k])) *
+           constants_from<T>(&of.friction[k]));
     if constexpr (kAnySpring)
-      spent += (values_at<T>(q, &of.q[k]) - constants_from<T>(&of.rest[k])) *
-               constants_from<T>(&of.stiffness[k]);
-    Value each[kRatesAtOnce];
-    std::memcpy(each, &spent, sizeof each);
-    for (std::size_t lane = 0; lane < kRatesAtOnce; ++lane)
-      w.spent[static_cast<std::size_t>(of.v[k + lane])] = each[lane];
+      take((values_at<T>(q, &of.q[k]) - constants_from<T>(&of.rest[k])) *
+           constants_from<T>(&of.stiffness[k]));
+    put_spent(spent, &of.v[k], w.spent);
+    if constexpr (kWeighed) put_spent(squares, &of.v[k], w.spent_squares);
   }
 }
 

@@ -168,13 +168,16 @@ ADAGEN_NOINLINE void weigh_parts(Workspace& w, const SweptParts& swept, const Sh
   Vector<Lanes> n{forces.near[0], forces.near[1], forces.near[2]};
   const Vector<Lanes> f{forces.near[3], forces.near[4], forces.near[5]};
   n += axis0 * (driving_parts<Run>(w, 0) - dot(axis0, n));
-  const Lanes moments = dot(n, n), pull = dot(f, f);
+  Lanes moments = dot(n, n);
+  if constexpr (kAnySpent) moments += spent_square(w, row0);
+  const Lanes pull = dot(f, f);
   Left<Lanes> X{from_beyond(n + cross(r0, f)), from_beyond(f),
                 from_beyond(moments + dot(r0, r0) * pull), from_beyond(pull)};
   for (int row = Run::kRows - 1; row > 0; --row) {
     const Joints<Lanes> joints = Run::row(row, 0);
     add_weighed_link(w, joints, X);
     X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+    if constexpr (kAnySpent) X.moments += spent_square(w, joints);
     const Lanes brought = dot(axis_at<Lanes>(w.at(joints.slot, kAxes)), X.n);
     const Lanes u = driving_parts<Run>(w, row) - brought;
     weigh_freedom<false>(w, joints, u, X.moments, X, found);
