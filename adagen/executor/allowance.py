@@ -20,7 +20,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.frames import Transform
 from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, total
@@ -181,7 +180,6 @@ class Allowance:
     def _across(self, j: int) -> tuple[Expression, list[Expression]]:
         """Squares of a joint's lever arm, and of its sliding."""
         state = self.state
-        x: Transform = self.memory["X", j]
         slides: list[Expression] = []
         linear = [k for k, place in enumerate(state.kind(j).free) if place >= 3]
         if linear:
@@ -189,7 +187,7 @@ class Allowance:
             spin = self.square(self.memory["field", j + 1].omega)
             slides.append(self.square(self.memory["accelerated", j][linear]))
             slides.append(spin * self.square(v[k] for k in linear) * 4)
-        return self.square(x.origin), slides
+        return total(self._arm_squares(j)), slides
 
     def uncertain_motions(self) -> None:
         """Add the energy of the uncertainty of all links' accelerations.
@@ -251,20 +249,20 @@ class Allowance:
         return np.array([*moments, force], dtype=object)
 
     def handed_noise(
-        self, x: Transform, free: list[int], given: Array, spent: Array, noise: Array
+        self, j: int, free: list[int], given: Array, spent: Array, noise: Array
     ) -> Array:
         """The squares that a joint passes on; along it at most those of its torques.
 
         Args:
-            x: of the joint.
+            j: the joint.
             free: the entries of a wrench that are along it.
             given: its torques, shape (n,).
             spent: squares of what passive forces took of these, which is rounded, too, shape (n,).
             noise: squares at the link beyond, shape (4,).
         """
         passed = self.torques_in(free, given, spent, noise)
-        turned = x.rotation.magnitudes(passed[:3])
-        return np.array([*(turned + self._levers(x, passed[3])), passed[3]], dtype=object)
+        turned = self.memory["X", j].rotation.magnitudes(passed[:3])
+        return np.array([*(turned + self._levers(j, passed[3])), passed[3]], dtype=object)
 
     def torques_in(self, free: list[int], given: Array, spent: Array, noise: Array) -> Array:
         """Squares of moments and forces with a joint's torques in place of those along it."""
@@ -272,15 +270,36 @@ class Allowance:
         force = total([noise[3], *(x for k, x in zip(free, spent, strict=True) if k >= 3)])
         return np.array([*(torques.get(k, noise[k]) for k in range(3)), force], dtype=object)
 
-    def noise_back(self, x: Transform, noise: Array) -> Array:
+    def noise_back(self, j: int, noise: Array) -> Array:
         """Squares of moments and forces at a joint's parent link, from those at its child link."""
-        moved = noise[:3] + self._levers(x, noise[3])
-        return np.array([*x.rotation.transposed().magnitudes(moved), noise[3]], dtype=object)
+        moved = noise[:3] + self._levers(j, noise[3])
+        turn = self.memory["X", j].rotation.transposed()
+        return np.array([*turn.magnitudes(moved), noise[3]], dtype=object)
 
-    def _levers(self, x: Transform, force: Expression) -> Array:
-        """Squares of the moments of forces whose squares are given."""
-        arms = [[x.origin[(k + 1) % 3], x.origin[(k + 2) % 3]] for k in range(3)]
-        return np.array([self.square(arm) * force for arm in arms], dtype=object)
+    def _levers(self, j: int, force: Expression) -> Array:
+        """Squares of the moments of forces at a joint whose squares are given."""
+        arms = self._arm_squares(j)
+        levers = [total([arms[(k + 1) % 3], arms[(k + 2) % 3]]) for k in range(3)]
+        return np.array([lever * force for lever in levers], dtype=object)
+
+    def _arm_squares(self, j: int) -> Array:
+        """Squares of how far a joint's child frame is from its parent's, by axes, shape (3,).
+
+        Where the joint slides, they are no less than those of its place, which sliding may take
+        back: both are rounded.
+        """
+        state, x = self.state, self.memory["X", j]
+        squares: Array = x.origin * x.origin
+        if all(place < 3 for place in state.kind(j).free):
+            return squares
+        placed = state.rows.of_joint(j, lambda joint: joint.translation)
+        return np.array(
+            [
+                square if place.constant == 0 else state.graph.larger(square, place * place)
+                for square, place in zip(squares, placed, strict=True)
+            ],
+            dtype=object,
+        )
 
     def weigh_noise(self, run: Hashable, count: int, factors: Factors, noise: Array) -> Array:
         """Add the energy of rounding with given factors and squares.

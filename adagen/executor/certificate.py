@@ -291,7 +291,7 @@ class Certificate(Allowance):
             return
         passed = self._passed(j, left, given, driven)
         self.state.rows.hand_on("left", j, x.force(passed))
-        self.state.rows.hand_on("noise", j, self.handed_noise(x, free, given, spent, noise))
+        self.state.rows.hand_on("noise", j, self.handed_noise(j, free, given, spent, noise))
         if self.bases:
             bare = self.memory["bare", j + 1]
             own = np.array([*x.rotation.vector(bare[:3]), bare[3]], dtype=object)
@@ -303,7 +303,7 @@ class Certificate(Allowance):
         body: Articulated = self.memory["articulated", j]
         far, free = self.state.plan.joints[j].parent, list(self.state.kind(j).free)
         left = x.force_back(self.memory["left", far])
-        noise = self.noise_back(x, self.noise_at(far))
+        noise = self.noise_back(j, self.noise_at(far))
         given, spent = self._given(j, -1), self.state.spent_squares(j)
         driven = given - left[free]
         self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]] + spent)

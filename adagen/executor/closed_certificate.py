@@ -228,7 +228,7 @@ class ClosedCertificate(Allowance):
 
     def _hand_on(self, j: int, free: list[int], given: Array, spent: Array, noise: Array) -> None:
         if any(self.state.rows.near_links(j)):
-            passed = self.handed_noise(self.memory["X", j], free, given, spent, noise)
+            passed = self.handed_noise(j, free, given, spent, noise)
             self.state.rows.hand_on("noise", j, passed)
 
     # -- closures ---------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ class FloatingParts:
             noise = self.found.torques_in(free, force[free], spent, noise)
             self._add(link, -force, noise)
             if self.state.plan.joints[j].parent:
-                handed = self.found.handed_noise(x, free, force[free], spent, noise)
+                handed = self.found.handed_noise(j, free, force[free], spent, noise)
                 self._add(link - 1, x.force(force), handed)
 
     def _driving(self, j: int) -> Array:

@@ -63,7 +63,7 @@ class Certificate(Protocol):
         """Return how many lanes of them count."""
 
     def handed_noise(
-        self, x: Transform, free: list[int], given: Array, spent: Array, noise: Array
+        self, j: int, free: list[int], given: Array, spent: Array, noise: Array
     ) -> Array:
         """Return the squares that a joint passes on, shape (4,)."""
 
@@ -217,7 +217,7 @@ class SweptRows:
             noise, nothing = self.state.zeros(4), self.state.zeros(0)
             noise[min(self.along(j), 3)] = spent[0]
             if any(rows.near_links(j)):
-                handed = found.handed_noise(memory["X", j], [], nothing, nothing, noise)
+                handed = found.handed_noise(j, [], nothing, nothing, noise)
                 rows.hand_on("spent", j, handed)
 
     def taken(self, j: int) -> Array | None:

@@ -225,14 +225,17 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
     moment[2] = chosen(sliding, across_slides, passed);
     force[2] = chosen(sliding, passed, T(force[2] + other));
     along = chosen(sliding, squares[2], along);
+    T arms[3];  // no less than to where the joint is placed: sliding may take that back
     ADAGEN_FOR (k, 0, 3) {
+      const T place = origin[k];
       origin[k] += turn[k][2] * number(Number::kShift);
+      arms[k] = larger(T(place * place), T(origin[k] * origin[k]));
       about[k] = larger(T(squares[0] * known(Constant::kAcross + k)),
                         T(squares[1] * known(Constant::kOther + k)));
     }
     ADAGEN_FOR (k, 0, 3) {
       const int i = (k + 1) % 3, m = (k + 2) % 3;
-      levers[k] = origin[i] * origin[i] + origin[m] * origin[m];
+      levers[k] = arms[i] + arms[m];
     }
   } else {
     moment[2] = passed;

@@ -20,6 +20,7 @@
 #include "links.hpp"
 #include "loop_settings.hpp"
 #include "memory.hpp"
+#include "reach.hpp"
 #include "spherical.hpp"
 #include "turned.hpp"
 #include "weights.hpp"
@@ -309,7 +310,8 @@ ADAGEN_INLINE void weigh_joint(Workspace& w, const Joints<T>& joints, JointKind 
                                Found<T>& found) {
   const bool along = kind == JointKind::kPrismatic;
   const Vector<T>& r = w.memory(joints).r;
-  if constexpr (reversed) X.n += cross(X.f, r), X.moments += dot(r, r) * X.forces;
+  const T arm = arm_square(joints, kind, r);
+  if constexpr (reversed) X.n += cross(X.f, r), X.moments += arm * X.forces;
   if constexpr (kAnySpherical) {
     if (kind == JointKind::kSpherical) weigh_rotations<reversed>(w, joints, X, found);
   }
@@ -326,7 +328,7 @@ ADAGEN_INLINE void weigh_joint(Workspace& w, const Joints<T>& joints, JointKind 
       along ? weigh_in_base<true, reversed>(w, joints, X, found)
             : weigh_in_base<false, reversed>(w, joints, X, found);
   }
-  if constexpr (!reversed) X.moments += dot(r, r) * X.forces;
+  if constexpr (!reversed) X.moments += arm * X.forces;
 }
 
 // Adds what is found at a link; see meet. The link itself is added with the joint before it where
