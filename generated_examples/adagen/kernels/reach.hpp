@@ -8,6 +8,7 @@
 #include "../sizes.hpp"
 #include "../value.hpp"
 #include "algebra.hpp"
+#include "arms.hpp"
 #include "lanes.hpp"
 #include "loop_settings.hpp"
 #include "memory.hpp"
@@ -38,17 +39,6 @@ template <class T>
 ADAGEN_INLINE void gain_more(Workspace& w, int slot, const Motion<T>& a) {
   put_at(w.at(slot, kGained), vector_at<T>(w.at(slot, kGained)) + a.angular);
   put_at(w.at(slot, kGainedAlong), vector_at<T>(w.at(slot, kGainedAlong)) + a.linear);
-}
-// The square of how far the link beyond a joint is from the one before. Where the joint slides,
-// that is no less than to its place, which sliding may take back: both are rounded.
-template <class T>
-ADAGEN_INLINE T arm_square(const Joints<T>& joints, JointKind kind, const Vector<T>& r) {
-  const T square = dot(r, r);
-  if (kind == JointKind::kRevolute || kind == JointKind::kSpherical) return square;
-  return larger(square, each(joints, [](const JointConstants& own) {
-                  const Number* const t = own.translation;
-                  return Real(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
-                }));
 }
 template <class T>
 ADAGEN_INLINE void reach_link(Workspace& w, int slot, const Joints<T>& joints, JointKind kind,
