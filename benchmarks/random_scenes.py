@@ -96,10 +96,11 @@ def _wanted(draw: random.Random, model: Model) -> Iterator[str]:
 
 def _outputs(draw: random.Random, model: Model) -> Iterator[str]:
     yield "[outputs]"
-    names = {"link_accelerations": _links_of, "reaction_forces": _joints_of}
-    for key, of in (names | {"inverse_inertia": _links_of}).items():
+    links, joints = _links_of(model), _joints_of(model)
+    lists = {"link_accelerations": links, "reaction_forces": joints, "inverse_inertia": links}
+    for key, names in lists.items():
         if draw.random() < 0.6:
-            yield f"{key} = {_listed(_names(draw, of(model), 2))}"
+            yield f"{key} = {_listed(_names(draw, names, 2))}"
 
 
 def _locked(draw: random.Random, model: Model) -> Iterator[str]:
@@ -110,12 +111,13 @@ def _locked(draw: random.Random, model: Model) -> Iterator[str]:
 
 def _joints(draw: random.Random, model: Model) -> Iterator[str]:
     values = {"damping": 0.3, "friction": 0.2, "stiffness": 20.0, "rest": 0.4}
+    rotors = (0.002, 0.05, 3.0)
     for name in _names(draw, _scalars_of(model), 4):
         yield f'[joints."{name}"]'
         if draw.random() < 0.25:
             yield "prescribed = true"
             continue
-        for key, value in (values | {"rotor_inertia": draw.choice((0.002, 0.05, 3.0))}).items():
+        for key, value in (values | {"rotor_inertia": draw.choice(rotors)}).items():
             if draw.random() < 0.5:
                 yield f"{key} = {value}"
 

@@ -17,7 +17,6 @@ from tests.models import random_tree, serial_chain, star
 from tests.slow import spread
 
 ALL = 1000  # rows: more than there are
-LINE, LOOPS = Certified("unrolled"), Certified("kernels")
 
 
 @pytest.fixture(scope="module")
@@ -64,6 +63,8 @@ def test_bounds_hold_what_passive_forces_take(name: str, quick: Toolchain) -> No
 def test_so_do_those_of_closed_loops(kind: str, quick: Toolchain) -> None:
     model = looped_tree(kind, 1, joints=9, kinds=(REVOLUTE, PRISMATIC))
     robot, states = balanced(model, worst_states(model, 10, seed=4), 1e5, seed=2)
-    for way, found in bounded(robot, states, [LINE, IN_LOOP], quick).items():
+    ways = bounded(robot, states, [LINE, IN_LOOP], quick)
+    assert set(ways) == {LINE, IN_LOOP}
+    for way, found in ways.items():
         assert found.refused < 10 and found.errors.max() > 1e-12, way
         assert (found.ratios <= 1).all(), way
