@@ -36,12 +36,15 @@ class Stretch:
     Attributes:
         features: how often each coefficient counts.
         statements: how many each step has, by the step's place.
-        line: how many statements the process has that are fetched for each evaluation.
+        line: how many statements the process has that are fetched for each evaluation; what its
+            loop of residuals does again and again is fetched once.
+        fetched: this stretch's part of these.
     """
 
     features: dict[str, float]
     statements: dict[int, int]
     line: float = 0.0
+    fetched: float = 0.0
 
     def time(self, costs: StepCosts) -> float:
         """Return its time on a machine, microseconds."""
@@ -51,11 +54,6 @@ class Stretch:
         if self.line > costs["unrolled.fits"]:
             work += costs["unrolled.evicted"] * self.fetched
         return at_once(work, waits) + sines
-
-    @property
-    def fetched(self) -> float:
-        """Its statements whose instructions are fetched."""
-        return statements(self.features)
 
 
 WAITS, SINES = "unrolled.cycle", "unrolled.sine"
@@ -142,7 +140,7 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
             "unrolled.sine": angles if k == 0 else 0,
             "unrolled.cycle": cycles,
         }
-        parts.append(Stretch(features, count, line))
+        parts.append(Stretch(features, count, line, line * share))
     return parts
 
 

@@ -13,6 +13,7 @@ import pytest
 from adagen.build import Toolchain
 from adagen.build.toolchain import STANDARD
 from adagen.cost import programmed
+from adagen.cost.straight import straight_stretches
 from adagen.emit import emit, stem_of
 from adagen.executor import Swept, chosen_grouping, simulate
 from adagen.executor.swept_records import passes
@@ -27,7 +28,7 @@ from adagen.studies.stability.loaded import loaded
 from adagen.urdf import read_robot
 from benchmarks.stability.adversary import FAMILIES, robots
 from benchmarks.stability.bounds import Certified, bounded, certified_plan
-from tests.cost.costs import step_profile
+from tests.cost.costs import step_costs, step_profile
 from tests.emitted import NARROW, OPTIMISED, Builder
 from tests.golden.make_models import MODELS
 from tests.models import binary, random_tree, serial_chain, star
@@ -229,6 +230,20 @@ def test_lines_have_none_where_it_takes_longer() -> None:
             unrolled__evicted=evicted,
         )
         assert (CALL in _line(plan, profile)) == has_loop
+
+
+def test_what_a_loop_does_again_is_fetched_once() -> None:
+    """A line that does not fit even with its loop: statements that are read, not repetitions."""
+    plan = _in_loop(_humanoid())
+    ((part,),) = straight_stretches(programmed(plan, "unrolled"), 0.0)
+    done = part.features["unrolled.operation"] + part.features["unrolled.move"]
+    assert part.line < done - 700  # the loop's own operations, less what is read of it once
+
+    def time(evicted: float) -> float:
+        costs = step_costs(unrolled__fits=0.0, unrolled__evicted=evicted, unrolled__cycle=0.0)
+        return part.time(costs)
+
+    assert time(5.0) == pytest.approx(time(0.0) + 5 * part.line)
 
 
 def test_batches_have_none_and_plans_keep_it() -> None:
