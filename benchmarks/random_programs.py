@@ -1,10 +1,10 @@
 """Random robots with random options, emitted, built and checked as a user would.
 
-    python -m benchmarks.random_programs [--minutes 15] [--seed 1] [--keep DIR]
+    python -m benchmarks.random_programs [FILE ...] [--minutes 15] [--seed 1] [--keep DIR]
 
 A third are real robots (package example-robot-data), the others trunks with alike arms, fingers on
-these, and links that other arms hang on; options are drawn from those of tests/options.py, scenes
-from those and from many more (random_scenes.py).
+these, and links that other arms hang on; with files, all robots are of these. Options are drawn
+from those of tests/options.py, scenes from those and from many more (random_scenes.py).
 Generation has to end in 0, or refuse the input (1) or the options (2) in words; `make check` has to
 end in 0, and the compiler must not warn. CXXFLAGS is passed on. Whatever fails is told at once with
 its command and kept in DIR, and the status is 1.
@@ -20,7 +20,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from adagen.errors import AdagenError
@@ -137,13 +137,13 @@ def outcome(case: list[str], folder: Path) -> tuple[str, str]:
     return ("warned of", done.stderr) if "warning:" in done.stderr else ("right", "")
 
 
-def cases(seed: int, folder: Path) -> Iterator[list[str]]:
-    """Yield commands without end; the files they name are in the folder."""
+def cases(seed: int, folder: Path, robots: Sequence[Path] = ()) -> Iterator[list[str]]:
+    """Yield commands without end; the files they name are in the folder, or are these robots."""
     draw = random.Random(seed)
-    real = [DATA / path for path in (*FIXED.values(), *FLOATING.values())]
+    real = robots or [DATA / path for path in (*FIXED.values(), *FLOATING.values())]
     while True:
         robot = draw.choice(real)
-        if draw.random() > 1 / 3 or not robot.is_file():
+        if not robots and (draw.random() > 1 / 3 or not robot.is_file()):
             robot = folder / "humanoid.urdf"
             robot.write_text(humanoid(draw))
         try:
@@ -152,19 +152,35 @@ def cases(seed: int, folder: Path) -> Iterator[list[str]]:
             continue
 
 
+def readable(files: Sequence[Path]) -> list[Path]:
+    """Return those of some robots that can be read; what is said of the others is told."""
+    kept = []
+    for file in files:
+        try:
+            read(file)
+            kept.append(file)
+        except AdagenError as error:
+            print(f"left out: {error}", flush=True)
+    return kept
+
+
 def main() -> int:
     """Run random cases until the time is over; return 1 if any failed."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
+    parser.add_argument("robots", nargs="*", type=Path, metavar="FILE")
     parser.add_argument("--minutes", type=float, default=15.0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=Path, default=Path("build", "random_programs"))
     options = parser.parse_args()
+    robots = readable(options.robots)
+    if options.robots and not robots:
+        parser.error("no robot that can be read")
     end, counts = time.monotonic() + 60 * options.minutes, Counter[str]()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for number, case in enumerate(cases(options.seed, folder)):
+        for number, case in enumerate(cases(options.seed, folder, robots)):
             if time.monotonic() > end:
                 break
             emitted = folder / "emitted"
