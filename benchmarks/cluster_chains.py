@@ -48,8 +48,11 @@ class Chain:
 
     def __init__(self, model: Model, profile: CostProfile) -> None:
         self.model, self.profile = model, profile
-        asked = Topology.of(model), profile, cuttable_joints(model), "work"
-        self._chains = [ChainExchange(*asked, parts) for parts in (0, LANES["double"])]
+        topology, cuttable = Topology.of(model), cuttable_joints(model)
+        self._chains = [
+            ChainExchange(topology, profile, cuttable, "work", parts)
+            for parts in (0, LANES["double"])
+        ]
 
     def alone(self) -> float:
         """Return what one process takes, microseconds."""

@@ -67,7 +67,7 @@ def rows_of(
     player, start = _player(model), _start(name, model)
     found = {step: player.play(start, seconds, step, "rk4") for step in steps}
     finest = found[min(steps)]
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for step, motion in found.items():
         energy, _ = drifts(model, motion)
         apart = "-" if motion is finest else f"{state_error(model, motion, finest):.0e}"

@@ -87,10 +87,9 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=5)
     options = parser.parse_args()
     here, rows = machine(), []
-    for name, make in {
-        **{name: MECHANISMS[name] for name in options.only},
-        **{p.stem: partial(of_file, p) for p in options.robots},
-    }.items():
+    asked = {name: MECHANISMS[name] for name in options.only}
+    asked |= {file.stem: partial(of_file, file) for file in options.robots}
+    for name, make in asked.items():
         with tempfile.TemporaryDirectory() as folder:
             rows.append(measured(name, make(), options.rounds, Path(folder)))
         tell(", ".join(map(str, rows[-1])))

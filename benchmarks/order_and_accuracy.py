@@ -110,7 +110,7 @@ def cut_rows(truth: Truth) -> Iterator[tuple[str, ...]]:
 
 def tables(count: int) -> list[str]:
     """Return both tables as Markdown."""
-    orders, cuts = [], []
+    orders, cuts = [], list[tuple[str, ...]]()
     for truth in subjects():
         tell(truth.name)
         orders.append(order_row(truth, count))

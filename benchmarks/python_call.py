@@ -34,15 +34,19 @@ def measured(model: Path) -> dict[str, float]:
     states = random_states(compiled.model, STATES, seed=1)
     q, v, tau = (np.ascontiguousarray(x[0]) for x in states.parts)
     out, many = np.empty_like(v), np.empty_like(states.v)
-    shared = [np.tile(x, (SHARED // STATES, 1)) for x in states.parts]
-    all_out = np.empty_like(shared[1])
+    all_q, all_v, all_tau = (np.tile(x, (SHARED // STATES, 1)) for x in states.parts)
+    all_out = np.empty_like(all_v)
     calls: dict[str, tuple[Callable[[], object], int, int]] = {
         "one of many": (lambda: solver(states.q, states.v, states.tau, out=many), 20, STATES),
         "with out": (lambda: solver(q, v, tau, out=out), CALLS, 1),
         "without": (lambda: solver(q, v, tau), CALLS, 1),
         "an empty lambda": (lambda: None, CALLS, 1),
-        "on one thread": (lambda: solver(*shared, out=all_out, threads=1), 2, SHARED),
-        "on two threads": (lambda: solver(*shared, out=all_out, threads=2), 2, SHARED),
+        "on one thread": (lambda: solver(all_q, all_v, all_tau, out=all_out, threads=1), 2, SHARED),
+        "on two threads": (
+            lambda: solver(all_q, all_v, all_tau, out=all_out, threads=2),
+            2,
+            SHARED,
+        ),
     }
     least = dict.fromkeys(calls, float("inf"))
     for _ in range(ROUNDS):

@@ -26,9 +26,15 @@ def scene(draw: random.Random, model: Model, *, floating: bool) -> str:
         model: the robot on its own base.
         floating: whether the command line says that its base floats.
     """
-    top = [] if floating else [(0.15, _base)]
+    top: list[tuple[float, Make]] = [] if floating else [(0.15, _base)]
     top += [(0.2, _gravity), (0.15, _rest), (0.5, _effects), (0.2, _forces), (0.15, _wanted)]
-    tables = [(0.2, _outputs), (0.3, _locked), (0.6, _joints), (0.2, _masses), (0.1, _couplings)]
+    tables: list[tuple[float, Make]] = [
+        (0.2, _outputs),
+        (0.3, _locked),
+        (0.6, _joints),
+        (0.2, _masses),
+        (0.1, _couplings),
+    ]
     tables.append((0.1, _loops))
     chosen = [make for share, make in (*top, *tables) if draw.random() < share]
     return "".join(f"{line}\n" for make in chosen or [_effects] for line in make(draw, model))

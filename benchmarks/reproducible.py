@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import adagen
 from adagen.build import find_toolchain
@@ -22,7 +23,7 @@ from benchmarks.page import command, publish
 from benchmarks.solvers import by_turns, contestant, tell
 
 UNFUSED = "nothing fused"
-WAYS: dict[str, dict[str, object]] = {
+WAYS: dict[str, dict[str, Any]] = {
     "fastest": {},
     "straight line": {"shape": "unrolled"},
     UNFUSED: {"shape": "unrolled"},

