@@ -336,7 +336,7 @@ class Certificate(Allowance):
         """Add u^T M^-1 u to the squared residual error, and the allowance for its rounding."""
         y = factors.forward(u.reshape(-1, 1))[:, 0]
         for k, inverse in enumerate(factors.inverses):
-            self.seen.add(self.run(j), self.count(j), y[k] * y[k] * inverse)
+            self.seen.add(self.run(j), self.count(j), y[k] * (y[k] * inverse))
         self.weigh_noise(self.run(j), self.count(j), factors, noise)
 
     # -- floating bases ---------------------------------------------------------------------------

@@ -152,7 +152,7 @@ template <bool reversed, class T>
 ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T& u, const T& units,
                                  Left<T>& X, Found<T>& found) {
   T* const e = w.memory(joints).e;
-  found.seen += u * u * e[7];
+  found.seen += u * (u * e[7]);
   found.rounded += units * e[7];
   if constexpr (kRefine > 0) e[6] = u * e[7];
   if constexpr (!reversed) X.n += cross(w.memory(joints).r, X.f);
@@ -237,7 +237,7 @@ ADAGEN_INLINE void weigh_part(const Vector<Value>& s, const Value& tau, Value* e
                               Found<Value>& found) {
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
   const Value u = tau - dot(s, along ? X.f : X.n);
-  found.seen += u * u * e[7];
+  found.seen += u * (u * e[7]);
   found.rounded += (along ? X.forces : X.moments) * e[7];
   if constexpr (kRefine > 0) e[6] = u * e[7];
   X.n += Vector<Value>{e[0], e[1], e[2]} * u;

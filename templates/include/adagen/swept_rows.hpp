@@ -182,7 +182,7 @@ ADAGEN_INLINE void sweep_row(Real* const memory, const SweptRow<kWidth<T>>& row,
     square = chosen(sliding, squares[3], square);
   }
   const T driven = torque - free;
-  sums.seen += driven * driven * inverse;
+  sums.seen += driven * (driven * inverse);
   sums.rounded += square * inverse;
   T passed = torque, along = torque * torque;
   if constexpr (Kinds::rotors) passed -= known(Constant::kRotor) * inverse * driven;

@@ -1,0 +1,71 @@
+"""Robots and motions so small that squares of what is computed leave the range of a float."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from adagen.build import Toolchain
+from adagen.model import REVOLUTE, Model
+from adagen.states import States, random_states
+from benchmarks.stability.bounds import Certified, bounded
+from tests.emitted import ROUNDING, Builder
+from tests.models import random_tree, serial_chain
+from tests.slow import all_but
+
+LINE, LOOPS = Certified("unrolled", scalar="float"), Certified("kernels", scalar="float")
+LINES, BATCH = (replace(way, batch=True) for way in (LINE, LOOPS))
+WAYS = all_but((LINE, LOOPS, LINES, BATCH), LINES, BATCH)
+
+
+@pytest.fixture(scope="module")
+def quick(builder: Builder) -> Toolchain:
+    return builder.quick
+
+
+def _hinges() -> Model:
+    return random_tree(np.random.default_rng(3), 8, kinds=(REVOLUTE,))
+
+
+def _shrunk(model: Model, mass: float, length: float) -> Model:
+    """The robot with masses and lengths that are smaller by these factors."""
+    links = []
+    for link in model.links:
+        own = link.inertia
+        tensor = own.tensor * mass * length**2
+        own = replace(own, mass=own.mass * mass, com=own.com * length, tensor=tensor)
+        links.append(replace(link, inertia=own))
+    joints = [replace(joint, translation=joint.translation * length) for joint in model.joints]
+    return replace(model, links=tuple(links), joints=tuple(joints))
+
+
+@pytest.mark.parametrize("way", WAYS, ids=str)
+@pytest.mark.parametrize("robot", all_but(("tree", "chain"), "chain"))
+def test_robots_of_tiny_inertias_keep_their_digits(
+    robot: str, way: Certified, quick: Toolchain
+) -> None:
+    """Inertias of 1e-25 kg m^2, whose squares no float holds: answers of loops were half wrong."""
+    model, mass, length = _hinges() if robot == "tree" else serial_chain(12), 1e-15, 1e-5
+    given = random_states(model, 15, seed=3)
+    states = States(given.q, given.v, given.tau * mass * length**2)
+    found = bounded(_shrunk(model, mass, length), states, [way], quick)[way]
+    assert found.refused == 0
+    assert found.errors.max() < ROUNDING["float"]
+    assert (found.ratios <= 1).all() and np.isfinite(found.bounds).all()
+
+
+@pytest.mark.parametrize("way", WAYS, ids=str)
+def test_bounds_are_sure_of_nothing_where_hardly_anything_moves(
+    way: Certified, quick: Toolchain
+) -> None:
+    """Without gravity, at rates of ever smaller powers of ten: bounds were 0 below 1e-8 rad/s."""
+    model = replace(_hinges(), gravity=np.zeros(3))
+    states = random_states(model, 12, seed=3)
+    rates = 10.0 ** -np.arange(12)[:, None]
+    slow = States(states.q, states.v * rates, np.zeros_like(states.tau))
+    found = bounded(model, slow, [way], quick)[way]
+    assert found.refused == 0 and found.errors.max() < ROUNDING["float"]
+    assert (found.ratios <= 1).all()
+    assert np.isfinite(found.bounds[:4]).all() and np.isinf(found.bounds[-3:]).all()
