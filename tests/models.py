@@ -19,6 +19,7 @@ from adagen.model import (
     PRISMATIC,
     REVOLUTE,
     SPHERICAL,
+    Frame,
     Inertia,
     Joint,
     JointKind,
@@ -335,6 +336,26 @@ def motion_capture_figure() -> Model:
             above, place = part.name, np.zeros(3)
         ends[name] = (above, tip)
     return assemble("motion_capture_figure", parts, floating=True)
+
+
+def shrunk(model: Model, mass: float, length: float) -> Model:
+    """Return a robot with its masses and lengths times these factors, loops included."""
+
+    def placed(frame: Frame) -> Frame:
+        return replace(frame, translation=frame.translation * length)
+
+    links = []
+    for link in model.links:
+        own = link.inertia
+        tensor = own.tensor * mass * length**2
+        own = replace(own, mass=own.mass * mass, com=own.com * length, tensor=tensor)
+        links.append(replace(link, inertia=own))
+    joints = [replace(joint, translation=joint.translation * length) for joint in model.joints]
+    loops = [
+        replace(loop, frame1=placed(loop.frame1), frame2=placed(loop.frame2))
+        for loop in model.loops
+    ]
+    return replace(model, links=tuple(links), joints=tuple(joints), loops=tuple(loops))
 
 
 def random_configuration(model: Model, rng: np.random.Generator) -> Array:

@@ -8,7 +8,7 @@ frame 1 holds, or turn against each other about it; for a coupling, of the sum t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.exact import rotation_taking_z_to, rounded
-from adagen.model import FLOATING, PRISMATIC, REVOLUTE, SPHERICAL, Joint, Loop, Model
+from adagen.model import FLOATING, PRISMATIC, REVOLUTE, SPHERICAL, Frame, Joint, Loop, Model
 from adagen.reference.coupling import checked, coupled, prescribed
 from adagen.reference.coupling import coupling as following
 from adagen.reference.double import inverse_dynamics, joint_space_inertia
@@ -29,6 +29,8 @@ STARTS = 40
 SCALES = (0.3, 1.0, 3.0)
 """How far from rest these are: radians, and sizes of the robot."""
 STEPS = 120
+SMALL = 0.02
+"""Largest length on a link, m, of robots whose loops are closed in units of that length."""
 CLOSED = 1e-11
 """How far a loop may be open, beside the size of the robot, that counts as closed."""
 
@@ -264,9 +266,15 @@ def _turned(xyzw: Array, angle: Array) -> Array:
 def closest(model: Model, q: Array) -> Array:
     """Return configurations near q (S, nq) in which constraints are satisfied as well as can be.
 
-    By Levenberg and Marquardt's method.
+    By Levenberg and Marquardt's method. Steps are of angles and of lengths: beside radians, gaps in
+    metres would weigh next to nothing in robots of millimetres, which have their own unit.
     """
-    q, fine = q.copy(), ROUNDING * max(size_of(model), 1.0)
+    size = size_of(model)
+    if size < SMALL:
+        slides = _slides(model)
+        q = closest(_in_units_of(size, model), np.where(slides, q / size, q))
+        return np.where(slides, q * size, q)
+    q, fine = q.copy(), ROUNDING * max(size, 1.0)
     found = constraints_of_all(model, q)
     cost, damping = (found.gaps**2).sum(axis=1), np.full(len(q), 1e-3)
     for _ in range(STEPS):
@@ -283,6 +291,39 @@ def closest(model: Model, q: Array) -> Array:
         found.gaps[taken], found.rows[taken] = new.gaps[better], new.rows[better]
         damping[busy] = np.where(better, damping[busy] * 0.1, np.maximum(damping[busy], 1e-9) * 10)
     return q
+
+
+def _slides(model: Model) -> NDArray[np.bool_]:
+    """Return which entries of q are lengths, shape (nq,)."""
+    found = np.zeros(model.nq, dtype=bool)
+    for joint, start in zip(model.joints, model.q_start, strict=True):
+        lengths = sum(row >= 3 for row in joint.kind.free)
+        found[start : start + lengths] = True  # they come first
+    return found
+
+
+def _in_units_of(size: float, model: Model) -> Model:
+    """Return a robot's geometry with lengths in another unit, m; constraints are the same."""
+
+    def shrunk(frame: Frame) -> Frame:
+        return replace(frame, translation=frame.translation / size)
+
+    joints = [replace(joint, translation=joint.translation / size) for joint in model.joints]
+    loops = [
+        replace(loop, frame1=shrunk(loop.frame1), frame2=shrunk(loop.frame2))
+        for loop in model.loops
+    ]
+    couplings = [
+        replace(
+            each,
+            terms=tuple(
+                (j, factor * size if model.joints[j].kind is PRISMATIC else factor)
+                for j, factor in each.terms
+            ),
+        )
+        for each in model.couplings
+    ]
+    return replace(model, joints=tuple(joints), loops=tuple(loops), couplings=tuple(couplings))
 
 
 def _least(rows: Array, gaps: Array, damping: Array) -> Array:

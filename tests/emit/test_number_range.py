@@ -12,7 +12,7 @@ from adagen.model import REVOLUTE, Model
 from adagen.states import States, random_states
 from benchmarks.stability.bounds import Certified, bounded
 from tests.emitted import ROUNDING, Builder
-from tests.models import random_tree, serial_chain
+from tests.models import random_tree, serial_chain, shrunk
 from tests.slow import all_but
 
 LINE, LOOPS = Certified("unrolled", scalar="float"), Certified("kernels", scalar="float")
@@ -29,18 +29,6 @@ def _hinges() -> Model:
     return random_tree(np.random.default_rng(3), 8, kinds=(REVOLUTE,))
 
 
-def _shrunk(model: Model, mass: float, length: float) -> Model:
-    """The robot with masses and lengths that are smaller by these factors."""
-    links = []
-    for link in model.links:
-        own = link.inertia
-        tensor = own.tensor * mass * length**2
-        own = replace(own, mass=own.mass * mass, com=own.com * length, tensor=tensor)
-        links.append(replace(link, inertia=own))
-    joints = [replace(joint, translation=joint.translation * length) for joint in model.joints]
-    return replace(model, links=tuple(links), joints=tuple(joints))
-
-
 @pytest.mark.parametrize("way", WAYS, ids=str)
 @pytest.mark.parametrize("robot", all_but(("tree", "chain"), "chain"))
 def test_robots_of_tiny_inertias_keep_their_digits(
@@ -50,7 +38,7 @@ def test_robots_of_tiny_inertias_keep_their_digits(
     model, mass, length = _hinges() if robot == "tree" else serial_chain(12), 1e-15, 1e-5
     given = random_states(model, 15, seed=3)
     states = States(given.q, given.v, given.tau * mass * length**2)
-    found = bounded(_shrunk(model, mass, length), states, [way], quick)[way]
+    found = bounded(shrunk(model, mass, length), states, [way], quick)[way]
     assert found.refused == 0
     assert found.errors.max() < ROUNDING["float"]
     assert (found.ratios <= 1).all() and np.isfinite(found.bounds).all()

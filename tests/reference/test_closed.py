@@ -10,7 +10,16 @@ import pytest
 
 from adagen.errors import InputError
 from adagen.library import read
-from adagen.model import LOOP_KINDS, PRISMATIC, REVOLUTE, SPHERICAL, LoopEnd, Model, NamedLoop
+from adagen.model import (
+    LOOP_KINDS,
+    PRISMATIC,
+    REVOLUTE,
+    SPHERICAL,
+    JointKind,
+    LoopEnd,
+    Model,
+    NamedLoop,
+)
 from adagen.reference import exact_forward_dynamics, inverse_dynamics, residual
 from adagen.reference.closed import (
     closed_forward_dynamics,
@@ -28,6 +37,7 @@ from tests.mechanisms import (
     states_of,
     with_loops,
 )
+from tests.models import shrunk
 
 KINDS = (REVOLUTE, PRISMATIC, SPHERICAL)
 
@@ -145,3 +155,19 @@ def test_a_motion_that_nothing_determines_has_no_exact_acceleration() -> None:
     q, v = closed_states(model, 1)
     with pytest.raises(InputError, match="singular"):
         exact_forward_dynamics(model, q[0], v[0], np.zeros(3))
+
+
+@pytest.mark.parametrize("kinds", [(REVOLUTE,), (REVOLUTE, PRISMATIC)], ids=["hinges", "slides"])
+@pytest.mark.parametrize("kind", ["universal", "revolute", "spherical"])
+def test_loops_of_small_robots_are_closed_in_their_own_unit(
+    kind: str, kinds: tuple[JointKind, ...]
+) -> None:
+    """Beside radians, gaps of millimetres were next to nothing: those of hinges were not closed."""
+    length, usual = 1e-3, looped_tree(kind, 3, joints=9, kinds=kinds)
+    small = shrunk(usual, length**3, length)
+    q, _ = closed_states(small, 6)
+    assert len(q) == 6
+    slides = [small.q_start[j] for j, joint in enumerate(small.joints) if joint.kind is PRISMATIC]
+    q[:, slides] /= length
+    for one in q:
+        assert np.abs(constraints(usual, one).gaps).max() < 1e-9
