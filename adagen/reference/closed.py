@@ -8,7 +8,7 @@ frame 1 holds, or turn against each other about it; for a coupling, of the sum t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -16,11 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.exact import rotation_taking_z_to, rounded
-from adagen.model import FLOATING, PRISMATIC, REVOLUTE, SPHERICAL, Frame, Joint, Loop, Model
+from adagen.model import FLOATING, PRISMATIC, REVOLUTE, SPHERICAL, Joint, Loop, Model
 from adagen.reference.coupling import checked, coupled, prescribed
 from adagen.reference.coupling import coupling as following
 from adagen.reference.double import inverse_dynamics, joint_space_inertia
-from adagen.reference.loop_rows import loop_rows, more_than_rounding, size_of
+from adagen.reference.loop_rows import loop_rows, more_than_rounding, size_of, usual_sizes
 from adagen.reference.numbers import DOUBLE
 
 Array = NDArray[np.float64]
@@ -266,64 +266,43 @@ def _turned(xyzw: Array, angle: Array) -> Array:
 def closest(model: Model, q: Array) -> Array:
     """Return configurations near q (S, nq) in which constraints are satisfied as well as can be.
 
-    By Levenberg and Marquardt's method. Steps are of angles and of lengths: beside radians, gaps in
-    metres would weigh next to nothing in robots of millimetres, which have their own unit.
+    By Levenberg and Marquardt's method.
     """
-    size = size_of(model)
-    if size < SMALL:
-        slides = _slides(model)
-        q = closest(_in_units_of(size, model), np.where(slides, q / size, q))
-        return np.where(slides, q * size, q)
-    q, fine = q.copy(), ROUNDING * max(size, 1.0)
-    found = constraints_of_all(model, q)
-    cost, damping = (found.gaps**2).sum(axis=1), np.full(len(q), 1e-3)
+    over, unit = _units(model)
+
+    def seen(places: Array) -> tuple[Array, Array]:
+        found = constraints_of_all(model, places)
+        return found.gaps * over, found.rows * over[:, None] * unit
+
+    q, fine = q.copy(), ROUNDING * max(size_of(model), 1.0)
+    gaps, rows = seen(q)
+    cost, damping = (gaps**2).sum(axis=1), np.full(len(q), 1e-3)
     for _ in range(STEPS):
-        busy = np.flatnonzero((np.abs(found.gaps).max(axis=1) > fine) & (damping < 1e12))
+        busy = np.flatnonzero((np.abs(gaps).max(axis=1) > fine) & (damping < 1e12))
         if not len(busy):
             break
-        gaps, rows = found.gaps[busy], found.rows[busy]
-        tried = moved(model, q[busy], -_least(rows, gaps, damping[busy]))
-        new = constraints_of_all(model, tried)
-        costs = (new.gaps**2).sum(axis=1)
+        tried = moved(model, q[busy], -_least(rows[busy], gaps[busy], damping[busy]) * unit)
+        new_gaps, new_rows = seen(tried)
+        costs = (new_gaps**2).sum(axis=1)
         better = costs < cost[busy]
         taken = busy[better]
         q[taken], cost[taken] = tried[better], costs[better]
-        found.gaps[taken], found.rows[taken] = new.gaps[better], new.rows[better]
+        gaps[taken], rows[taken] = new_gaps[better], new_rows[better]
         damping[busy] = np.where(better, damping[busy] * 0.1, np.maximum(damping[busy], 1e-9) * 10)
     return q
 
 
-def _slides(model: Model) -> NDArray[np.bool_]:
-    """Return which entries of q are lengths, shape (nq,)."""
-    found = np.zeros(model.nq, dtype=bool)
-    for joint, start in zip(model.joints, model.q_start, strict=True):
-        lengths = sum(row >= 3 for row in joint.kind.free)
-        found[start : start + lengths] = True  # they come first
-    return found
+def _units(model: Model) -> tuple[Array, Array]:
+    """Return what gaps are multiplied by (rows,), and of which unit steps are (nv,).
 
-
-def _in_units_of(size: float, model: Model) -> Model:
-    """Return a robot's geometry with lengths in another unit, m; constraints are the same."""
-
-    def shrunk(frame: Frame) -> Frame:
-        return replace(frame, translation=frame.translation / size)
-
-    joints = [replace(joint, translation=joint.translation / size) for joint in model.joints]
-    loops = [
-        replace(loop, frame1=shrunk(loop.frame1), frame2=shrunk(loop.frame2))
-        for loop in model.loops
-    ]
-    couplings = [
-        replace(
-            each,
-            terms=tuple(
-                (j, factor * size if model.joints[j].kind is PRISMATIC else factor)
-                for j, factor in each.terms
-            ),
-        )
-        for each in model.couplings
-    ]
-    return replace(model, joints=tuple(joints), loops=tuple(loops), couplings=tuple(couplings))
+    Both are 1 but for robots of millimetres, of which gaps in metres would weigh next to nothing
+    beside radians: their lengths are in units of the robot.
+    """
+    size = size_of(model)
+    if size >= SMALL:
+        return np.ones(len(usual_sizes(model))), np.ones(model.nv)
+    rows = [row for joint in model.joints for row in joint.kind.free]
+    return 1 / usual_sizes(model), np.where(np.array(rows) >= 3, size, 1.0)
 
 
 def _least(rows: Array, gaps: Array, damping: Array) -> Array:

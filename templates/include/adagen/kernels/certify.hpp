@@ -152,7 +152,7 @@ template <bool reversed, class T>
 ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T& u, const T& units,
                                  Left<T>& X, Found<T>& found) {
   T* const e = w.memory(joints).e;
-  found.seen += u * (u * e[7]);
+  found.seen += u * (u * e[7]);  // u * u may be below the least number
   found.rounded += units * e[7];
   if constexpr (kRefine > 0) e[6] = u * e[7];
   if constexpr (!reversed) X.n += cross(w.memory(joints).r, X.f);

@@ -120,6 +120,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
   mirror(X);  // no sooner, so that V need not wait
   const Real q = component<along>(s, due.U);
+  // In this order: of a tiny robot q * q is below the least float.
   Real D = component<along>(s, V) - q * (q * due.inverse);
   if constexpr (kAnyRotor) D += joint.passive.rotor;
   const Real inverse = 1 / D;
