@@ -92,7 +92,8 @@ class Compiled:
         kinds = _ON_TENDONS if tendon else _ON_JOINTS
         of_kind = np.isin(self.model.actuator_trntype, kinds)
         those = of_kind & (self.model.actuator_trnid[:, 0] == which)
-        gears = self.model.actuator_gear[those, 0]
+        first = getattr(self.model, "actuator_outadr", np.arange(len(those)))  # a gear per output
+        gears = self.model.actuator_gear[first[those], 0]
         if table.ndim > 1:
             return float(abs(table[those]).max(initial=0.0)) if gears.any() else 0.0
         return float((gears * gears) @ table[those])

@@ -238,6 +238,20 @@ def test_drives_of_one_joint_add_up(reading: Read) -> None:
         )
 
 
+def test_a_drive_of_three_forces_has_its_own_gears(reading: Read) -> None:
+    balls = "".join(
+        f'<body><joint name="{name}" type="ball"/><geom size="0.1"/></body>' for name in "ab"
+    )
+    drives = '<orientation joint="a" kp="1"/><motor joint="b" gear="3" armature="2"/>'
+    try:
+        found = reading(
+            f"<mujoco><worldbody>{balls}</worldbody><actuator>{drives}</actuator></mujoco>"
+        )
+    except InputError:
+        pytest.skip("actuators have several forces from MuJoCo 4 on")
+    assert [joint.passive.rotor_inertia for joint in found.model.joints] == [0.0, 18.0]
+
+
 @pytest.mark.parametrize(
     ("flag", "attributes"),
     [
