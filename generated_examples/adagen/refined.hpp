@@ -54,30 +54,35 @@ inline void collect_forces(Workspace& w, const RefinedProcess& own, const Number
 }
 
 // One energy beside another.
-inline double ratio(Number part, Number whole) {
-  if (whole > 0) return std::sqrt(double(part) / double(whole));
+inline double ratio(double part, double whole) {
+  if (whole > 0) return std::sqrt(part / whole);
   return part > 0 ? std::numeric_limits<double>::infinity() : 0;
 }
 
-// Sends energies to process 0, and their sums back to all.
+// Sends energies to process 0, and what their sums tell back to all. Their roots are sent: the
+// squares of small ones leave the range of floats.
 inline double share_size(Workspace& w, Channel& channel) {
   Refinement& r = w.refinement;
-  Number e = static_cast<Number>(r.step_energy), t = static_cast<Number>(r.energy),
-         s = static_cast<Number>(r.whole_energy);
+  double e = r.step_energy, t = r.energy, s = r.whole_energy;
   int message = kFirstShare;
   for (const int p : kSharing) {
     if (channel.rank() == 0) {
       const Number* from = channel.receive(message, w.status);
-      e += from[0], t += from[1], s += from[2];
+      e += double(from[0]) * double(from[0]);
+      t += double(from[1]) * double(from[1]);
+      s += double(from[2]) * double(from[2]);
     } else if (channel.rank() == p) {
       Number* to = channel.outgoing(message, w.status);
-      to[0] = e, to[1] = t, to[2] = s;
+      to[0] = static_cast<Number>(std::sqrt(e));
+      to[1] = static_cast<Number>(std::sqrt(t));
+      to[2] = static_cast<Number>(std::sqrt(s));
       channel.send(message, w.status);
     }
     ++message;
   }
   double size = ratio(e, t);
-  r.rounding = ratio(e, std::max(t, s));
+  // What leaves the range of numbers is rounding, too.
+  r.rounding = ratio(static_cast<Number>(e), static_cast<Number>(std::max(t, s)));
   for (const int p : kSharing) {
     if (channel.rank() == 0) {
       Number* to = channel.outgoing(message, w.status);

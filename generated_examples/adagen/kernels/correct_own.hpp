@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "../error_bound.hpp"
 #include "../sample/cuts.hpp"
 #include "../sizes.hpp"
 #include "../status.hpp"
@@ -45,6 +46,8 @@ inline void begin_own_correction(Workspace& w, int k) {
 inline void end_own_correction(Workspace& w) {
   for (std::size_t k = 0; k < std::size_t(kNv); ++k) w.answer[k] += w.sum[k];
   w.again = false;
+  if (!tells_errors(double(w.energy)))
+    w.refinement.corrections.fill(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
