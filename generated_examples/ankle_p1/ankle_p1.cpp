@@ -2,10 +2,10 @@
 // robot     "ankle", 8 joints, 12 degrees of freedom, description sha256 ddb900f3e284309ae668afcdcf39b2b2f8b0b30c7e4b7984814bb0e23c113d8c
 // command   adagen ../models/ankle.urdf --scene=../models/ankle.toml --procs 1
 // input     scene, sha256 11c8028c5b54b9020d35bd5ac03db5bc865ea05a389c3bc7c7df6b476153c181
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes ankle_p1.h
-// program   1 process; 0.11 us predicted (default profile)
+// program   1 process; 0.119 us predicted (default profile)
 //           process 0: left_motor .. left_ball | right_motor .. right_ball in 2 lanes, hip .. ankle_roll
 //
 // Closed loops: accelerations of their joints and constraint forces stay unknown until the last link that
@@ -111,7 +111,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
   const Real x85 = v[3] * v[3];
   const Real x70 = x48 * cosine[5];
-  const Real x71 = x48 * sine[5];
   // joints 4 "left_motor", 6 "right_motor": placement, velocity and reference acceleration of their links
   const Two x99 = Two{v[4], v[8]};
   const Two x107 = x24 + x99;
@@ -144,34 +143,34 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x174 = x164 - x165;
   const Two x163 = x161 - x162;
   const Two x175 = x171 + x172;
-  const Two x173 = x171 - x172;
   const Two x177 = 1.0 - (x157 + x168);
-  const Two x167 = x161 + x162;
+  const Two x173 = x171 - x172;
   const Two x160 = 1.0 - (x157 + x158);
+  const Two x167 = x161 + x162;
   const Two x170 = 1.0 - (x158 + x168);
   // constraint rows of a loop at its two links
   const Two x443 = x85 + v[2] * v[2] + x99 * x99;
   const Two x445 = x142 * x142 + x443 + x143 * x143;
-  const Two x530 = load<Two>(cosine + 0) * x175 - load<Two>(sine + 0) * x163;
   const Two x582 = load<Two>(cosine + 0) * x177 - load<Two>(sine + 0) * x166;
   const Two x585 = load<Two>(sine + 0) * x177 + load<Two>(cosine + 0) * x166;
-  const Two x533 = load<Two>(sine + 0) * x175 + load<Two>(cosine + 0) * x163;
+  const Two x530 = load<Two>(cosine + 0) * x175 - load<Two>(sine + 0) * x163;
   const Two x456 = load<Two>(cosine + 0) * x174 - load<Two>(sine + 0) * x160;
   const Two x459 = load<Two>(sine + 0) * x174 + load<Two>(cosine + 0) * x160;
+  const Two x533 = load<Two>(sine + 0) * x175 + load<Two>(cosine + 0) * x163;
   // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1292 = sine[5] * 0.05;
   // constraint rows of a loop at its two links
   const Two x588 = cosine[4] * x582 + sine[4] * x585;
-  const Two x536 = cosine[4] * x530 + sine[4] * x533;
   const Two x462 = cosine[4] * x456 + sine[4] * x459;
-  const Two x592 = cosine[4] * x585 - sine[4] * x582;
-  const Two x466 = cosine[4] * x459 - sine[4] * x456;
+  const Two x536 = cosine[4] * x530 + sine[4] * x533;
   const Two x595 = cosine[5] * x173 + sine[5] * x588;
   const Two x599 = cosine[5] * x588 - sine[5] * x173;
-  const Two x543 = cosine[5] * x170 + sine[5] * x536;
-  const Two x547 = cosine[5] * x536 - sine[5] * x170;
+  const Two x592 = cosine[4] * x585 - sine[4] * x582;
   const Two x469 = cosine[5] * x167 + sine[5] * x462;
   const Two x473 = cosine[5] * x462 - sine[5] * x167;
+  const Two x543 = cosine[5] * x170 + sine[5] * x536;
+  const Two x547 = cosine[5] * x536 - sine[5] * x170;
+  const Two x466 = cosine[4] * x459 - sine[4] * x456;
   const Two x540 = cosine[4] * x533 - sine[4] * x530;
   // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x800 = x177 * 0.06;
@@ -190,12 +189,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Two x1886 = 1 / x800;
   const Two x1870 = Two{x1435, x1465};
+  const Two x1888 = x1870 * x1886;
   // joint 1 "knee": placement, velocity and reference acceleration of its link
   const Real x32 = cosine[3] * x28 - x14 * sine[3];
   const Real x37 = sine[3] * x28 + x14 * cosine[3];
   // joint 2 "ankle_pitch": placement, velocity and reference acceleration of its link
   const Real x51 = x32 + 0.4 * x41;
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
+  const Real x71 = x48 * sine[5];
   const Real x75 = v[3] * x70;
   const Real x82 = x70 * x70;
   const Real x83 = x71 * x71;
@@ -235,22 +236,21 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1406 = 0.06 * (sine[5] * x543[1] + cosine[5] * x547[1]);
   const Real x1408 = x1406 - x540[1] * x1292;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Two x1888 = x1870 * x1886;
   const Two x1851 = Two{x1319, x1351};
   const Two x1859 = Two{x1378, x1408};
   const Two x1890 = x613 * x1886;
   const Two x1908 = (x1851 + x728 * x1888) * Two{6.666666666666667, 4.3478260869565215};
   const Two x1924 = Two{6.666666666666667, 4.3478260869565215} * (x1859 - x771 * x1888);
-  const Two x1926 = Two{6.666666666666667, 4.3478260869565215} * (x561 - x771 * x1890);
   const Two x1971 = x689 * x1888 - Two{0.00112635, 0.00264635} * x1908;
   const Two x1964 = x662 * x1888 + Two{0.00112635, 0.00264635} * x1924;
-  const Two x1976 = x710 * x1888;
-  const Two x1909 = (x509 + x728 * x1890) * Two{6.666666666666667, 4.3478260869565215};
+  const Two x1926 = Two{6.666666666666667, 4.3478260869565215} * (x561 - x771 * x1890);
   const Two x1955 = x913 * x1888 + x662 * x1924 - x689 * x1908;
+  const Two x1909 = (x509 + x728 * x1890) * Two{6.666666666666667, 4.3478260869565215};
+  const Two x1976 = x710 * x1888;
   const Two x2188 = x1976 * 370370.3703703704;
+  const Two x1982 = x1924 * x1964 - x1908 * x1971 + x1888 * x1955;
   const Two x1967 = x662 * x1890 + Two{0.00112635, 0.00264635} * x1926;
   const Two x1961 = x913 * x1890 + x662 * x1926 - x689 * x1909;
-  const Two x1982 = x1924 * x1964 - x1908 * x1971 + x1888 * x1955;
   const Two x2200 = x1976 * x2188;
   const Two x1975 = x689 * x1890 - Two{0.00112635, 0.00264635} * x1909;
   // joint 2 "ankle_pitch": placement, velocity and reference acceleration of its link
@@ -738,8 +738,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 2 "ankle_pitch": placement, velocity and reference acceleration of its link
   const Real x55 = sine[2] * x46 + x32 * cosine[2];
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
-  const Real x83 = x65 * x66;
   const Real x72 = x50 * sine[3];
+  const Real x83 = x65 * x66;
   const Real x73 = x50 * cosine[3];
   // joint 4 "left_motor": placement, velocity and reference acceleration of its link
   const Real x112 = sine[4] * x103 + x32 * cosine[4];
@@ -753,9 +753,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x206 = x160 * x162;
   const Real x161 = v[6] + x158;
   const Real x208 = x170 + x206;
-  const Real x201 = x161 * x162;
   const Real x166 = v[7] * x158 - v[6] * x159;
   const Real x181 = x107 * x152 + x138 * x178;
+  const Real x201 = x161 * x162;
   const Real x202 = x201 - x166;
   const Real x184 = x107 * x153 + x141 * x178;
   const Real x204 = x160 * x160 + x161 * x161;
@@ -763,7 +763,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 6 "right_motor": placement, velocity and reference acceleration of its link
   const Real x220 = x27 + x36 * 0.17;
   const Real x229 = sine[5] * x220 + x32 * cosine[5];
-  const Real x224 = cosine[5] * x220 - x32 * sine[5];
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
   const Real x273 = x216 * x262;
   const Real x275 = x216 * x268;
@@ -791,6 +790,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2541 = x2514 * x2540;
   const Real x2560 = x2436 * x2476 + x2433 * x2477 - x2479 * x2509;
   const Real x2561 = x2514 * x2560;
+  const Real x2580 = x2436 * x2490 + x2433 * x2491 - x2493 * x2509;
+  const Real x2581 = x2514 * x2580;
+  // joint 6 "right_motor": placement, velocity and reference acceleration of its link
+  const Real x224 = cosine[5] * x220 - x32 * sine[5];
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
   const Real x274 = x216 * x265;
   const Real x286 = v[9] * x275 - v[11] * x273;
@@ -812,8 +815,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x796 = x73 + x412;
   const Real x804 = x780 * x795 + x777 * x799 + x784 * x796;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2580 = x2436 * x2490 + x2433 * x2491 - x2493 * x2509;
-  const Real x2581 = x2514 * x2580;
   const Real x2526 = 1.2 * x2522;
   const Real x2545 = 1.2 * x2541;
   const Real x2565 = 1.2 * x2561;
@@ -832,8 +833,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2754 = (x665 - (x184 - x202 * 0.15)) * 8.0;
   const Real x2775 = 1 / x2508 * (x2754 + (x2383 - x2418 * x2429) * x2767);
   const Real x2601 = sign_of(x2531) * sqrt_of(x2531 * x2531 + x2596 + x2597);
-  const Real x2755 = (x701 - (x187 + x204 * 0.15)) * 16.0;
   const Real x2602 = x2531 + x2601;
+  const Real x2755 = (x701 - (x187 + x204 * 0.15)) * 16.0;
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
   const Real x319 = x276 * x276 + x277 * x277;
   const Real x302 = x224 * x272 + x261 * x293;
@@ -848,19 +849,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x997 = -0.009 - x962;
   const Real x898 = x270 * 0.01725;
   const Real x910 = x269 * 0.01725;
-  const Real x906 = x897 + 0.06 * x898;
   const Real x995 = x262 * x897 + x268 * x924 + x265 * x909;
-  // joint 5 "left_ball": inertia and bias force of what is beyond; its acceleration is an unknown
-  const Real x1330 = x145 * 0.00112635;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2783 = x2755 + (x2388 - x2418 * x2445) * x2767;
   const Real x2605 = x2596 + x2597 + x2602 * x2602;
-  const Real x2756 = (x804 - (x296 - x323 * 0.23)) * 4.0;
+  const Real x2783 = x2755 + (x2388 - x2418 * x2445) * x2767;
   const Real x2787 = 1 / x2601 * ((x2451 - x2509 * x2522) * x2775 + x2783);
+  const Real x2756 = (x804 - (x296 - x323 * 0.23)) * 4.0;
   const Real x2797 = x2756 + (x2392 - x2418 * x2459) * x2767;
   const Real x2757 = (x841 - (x299 - x317 * 0.23)) * 4.0;
-  const Real x2813 = x2757 + (x2397 - x2418 * x2473) * x2767;
   const Real x2607 = 2.0 * (1 / x2605);
+  const Real x2813 = x2757 + (x2397 - x2418 * x2473) * x2767;
   const Real x2758 = (x878 - (x302 + x319 * 0.23)) * 16.0;
   const Real x2612 = x2526 * x2545 + x2532 * x2552 + x2551 * x2602;
   const Real x2613 = x2607 * x2612;
@@ -885,6 +883,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // constraint rows of a loop at its two links
   const Real x530 = cosine[3] * 0.05;
   // joint 7 "right_ball": inertia and bias force of what is beyond; its acceleration is an unknown
+  const Real x906 = x897 + 0.06 * x898;
   const Real x921 = x909 - 0.06 * x910;
   const Real x1053 = x995 - 0.06 * (x997 - x962) + 0.0002466667;
   const Real x899 = x258 * 0.01725;
@@ -895,11 +894,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1073 = cosine[5] * x960;
   const Real x1098 = sine[5] * x898 + cosine[5] * x899;
   const Real x1075 = sine[5] * x1054 - x1073;
-  const Real x1127 = sine[5] * x910 + cosine[5] * x912;
   const Real x1110 = x906 - 0.17 * x1098;
+  const Real x1127 = sine[5] * x910 + cosine[5] * x912;
   const Real x1084 = x1053 - 0.17 * x1075;
   const Real x1140 = x921 + 0.17 * x1127;
   // joint 5 "left_ball": inertia and bias force of what is beyond; its acceleration is an unknown
+  const Real x1330 = x145 * 0.00112635;
   const Real x1357 = x151 * 2.7e-06;
   const Real x1395 = x144 * 0.01125;
   const Real x1331 = x153 * 0.01125;
@@ -996,8 +996,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1327 = x463 - tau[7];
   const Real x1465 = x152 * x474 + x153 * x478 + x155 * x482;
   const Real x1325 = x467 - tau[5];
-  const Real x1460 = x145 * x467 + x151 * x463 + x148 * x470;
   const Real x1326 = x470 - tau[6];
+  const Real x1460 = x145 * x467 + x151 * x463 + x148 * x470;
   const Real x1483 = -0.006 + x1429;
   const Real x1487 = x1460 + 0.06 * x1465 + x107 * 0.006;
   // joint 4 "left_motor": inertia and bias force of what is beyond; its acceleration is an unknown
@@ -1024,6 +1024,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2708 = x2696 + x2700 + x2705 * x2705;
   const Real x2818 = 1 / x2704 * ((x2630 - x2655 * x2667) * x2801 + x2816);
   const Real x2710 = 2.0 * (1 / x2708);
+  const Real x2717 = x2674 * x2690 + x2671 * x2687 + x2689 * x2705;
+  const Real x2718 = x2710 * x2717;
   // constraint rows of a loop at its two links
   const Real x541 = x155 * 0.15;
   const Real x547 = -0.06 - x144 * 0.15;
@@ -1064,8 +1066,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1764 = cosine[4] * x1488 - sine[4] * x1489 + x1306;
   const Real x1763 = x1056 - 0.17 * x1309 + (x1487 - 0.25 * x1736);
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2717 = x2674 * x2690 + x2671 * x2687 + x2689 * x2705;
-  const Real x2718 = x2710 * x2717;
   const Real x2722 = 0.92 * x2718;
   const Real x2727 = x2674 * x2718 - x2690;
   const Real x2728 = x2671 * x2718 - x2687;
@@ -1074,24 +1074,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2735 = sqrt_of(x2734);
   const Real x2736 = x2735 * x2735;
   require_more(w, x2736, 9.999999999999998e-15, kLoopSingular, 9);
+  const Real x2737 = x2734 + x2736;
   // constraint rows of a loop at its two links
   const Real x561 = x536 - x537 - (cosine[4] * x547 - sine[4] * x541);
   const Real x562 = x530 - (0.05 - x151 * 0.15);
-  // constraint rows of a loop at its two links
-  const Real x741 = x536 + x537 + (cosine[5] * x727 - sine[5] * x721);
-  const Real x743 = -0.05 - x268 * 0.23 + x530;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2737 = x2734 + x2736;
   const Real x2838 = 1 / x2735 * ((x2689 - x2705 * x2718) * x2818 + x2836);
   const Real x2739 = 2.0 * (1 / x2737);
   const Real x2840 = x2727 * x2739;
   const Real x2849 = x2722 * x2739;
   const Real x2858 = x2728 * x2739;
   const Real x2869 = x2739 * (x2735 * x2838);
-  const Real x2318 = v[6] * 0.15 + v[4] * x1369 + v[3] * x637;
-  const Real x2319 = v[2] * x1798 + x2318;
-  const Real x2328 = v[3] * x673 - (v[5] * 0.15 + v[4] * x1384);
-  const Real x2329 = v[2] * x1825 + x2328;
   const Real x2843 = x2722 * x2840;
   const Real x2844 = x2728 * x2840;
   const Real x2851 = x2727 * x2849;
@@ -1407,10 +1400,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4477 = x3477 * x4141 - x4144 * x4352 - x4143 * x4373;
   const Real x4478 = x4477 - x4142 * x4415;
   const Real x4637 = x4037 * x4397 + x4053 * x4364 + x4021 * x4451;
+  const Real x4655 = x4089 * x4403 + x4107 * x4367 + x4071 * x4460;
   // joint 1 "knee": articulated-body inertia and bias force through it
   const Real x4747 = 1 / x4738;
+  const Real x4752 = x4681 * x4747;
+  const Real x4754 = x4739 * x4747;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x4655 = x4089 * x4403 + x4107 * x4367 + x4071 * x4460;
   const Real x3544 = x1525 * x3185 + x3542 + x1986 * x3241;
   const Real x3562 = x1528 * x3185 + x3560 - x1991 * x3241;
   const Real x3532 = x1514 * x3243 + x3530 + x1568 * x3244;
@@ -1427,9 +1422,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4732 = x1551 * x3244 + x3546 + x2310 - x4712;
   const Real x3813 = 2.7e-06 * (x2850 * x2850) + 0.00264635 * (x2918 * x2918);
   const Real x3830 = 2.7e-06 * (x2859 * x2859) + 0.00264635 * (x2938 * x2938);
+  const Real x3796 = 2.7e-06 * (x2841 * x2841) + 0.00264635 * (x2898 * x2898);
+  const Real x3814 = x1053 * (x2998 * x2998) + x3813;
   // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4752 = x4681 * x4747;
-  const Real x4754 = x4739 * x4747;
   const Real x4788 = 1.85 - x4637 + 3.5 - x4681 * x4752;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x4643 = x4037 * x4403 + x4053 * x4367 + x4021 * x4460;
@@ -1455,6 +1450,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x579 = 1e-08 - x567;
   require_more(w, x579, 0.0, kLoopOpen, 8);
   // constraint rows of a loop at its two links
+  const Real x741 = x536 + x537 + (cosine[5] * x727 - sine[5] * x721);
+  const Real x743 = -0.05 - x268 * 0.23 + x530;
   const Real x738 = -0.17 - (cosine[5] * x721 + sine[5] * x727);
   const Real x740 = x533 - x532 + -0.4 - x738;
   const Real x762 = v[11] * v[11] + x757 + x572 + x80 + 1.0;
@@ -1462,8 +1459,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x761 = 1e-08 - x751;
   require_more(w, x761, 0.0, kLoopOpen, 9);
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x3796 = 2.7e-06 * (x2841 * x2841) + 0.00264635 * (x2898 * x2898);
-  const Real x3814 = x1053 * (x2998 * x2998) + x3813;
   const Real x3831 = x1053 * (x3014 * x3014) + x3830;
   const Real x3797 = x1053 * (x2982 * x2982) + x3796;
   const Real x3815 = 0.00264635 * (x2999 * x2999) + x3814;
@@ -1471,6 +1466,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3798 = 0.00264635 * (x2983 * x2983) + x3797;
   const Real x3816 = 0.00112635 * (x3140 * x3140) + x3815;
   const Real x3833 = 0.00112635 * (x3163 * x3163) + x3832;
+  const Real x2318 = v[6] * 0.15 + v[4] * x1369 + v[3] * x637;
+  const Real x2319 = v[2] * x1798 + x2318;
+  const Real x2328 = v[3] * x673 - (v[5] * 0.15 + v[4] * x1384);
+  const Real x2329 = v[2] * x1825 + x2328;
   const Real x2348 = v[10] * 0.23 + v[8] * x936 - v[3] * x812;
   const Real x2349 = v[2] * x1881 + x2348;
   const Real x2359 = v[9] * 0.23 + v[8] * x951 + v[3] * x849;

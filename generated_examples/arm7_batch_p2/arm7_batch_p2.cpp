@@ -1,10 +1,10 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --batch --name=arm7_batch
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_batch_p2.h
-// program   1 process; 0.037 us a state predicted (default profile)
+// program   1 process; 0.0317 us a state predicted (default profile)
 //           process 0: base_yaw .. right_finger_slide
 //
 // Each SIMD lane holds a state; the processes share the states of a batch, not the robot.
@@ -22,7 +22,8 @@ namespace { struct arm7_batch_p2_settings : PlainSettings {
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr bool kBatch = true;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  static constexpr std::size_t kCache = 1048576;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
 }; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"

@@ -1,11 +1,11 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_p2.h
-// program   2 processes, joined at cuts; 0.658 us predicted (default profile)
+// program   2 processes, joined at cuts; 0.765 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
 //           process 1: left_finger_slide | right_finger_slide in 2 lanes, wrist_pitch .. flange_roll
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
@@ -29,7 +29,7 @@ namespace { struct arm7_p2_settings : PlainLoops<9> {
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
   static constexpr int kSlotCount = 12;
   static constexpr bool kReordered = true;
   static constexpr int kSlots[kJointCount] = {0, 1, 2, 3, 4, 10, 11, 8, 9};

@@ -1,10 +1,10 @@
 // Forward dynamics of "arm7" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 1 --shape=unrolled --name=arm7_unrolled
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_unrolled_p1.h
-// program   1 process; 0.209 us predicted (default profile)
+// program   1 process; 0.218 us predicted (default profile)
 //           process 0: left_finger_slide | right_finger_slide in 2 lanes, base_yaw .. flange_roll
 
 #include "arm7_unrolled_p1.h"
@@ -95,10 +95,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x29 = v[1] - v[0] * 3.673205103346574e-06;
   const Real x27 = cosine[1] * x20;
   const Real x25 = sine[1] * x20;
-  const Real x37 = sine[1] * 9.809999999933819;
   const Real x30 = v[1] * x27;
-  const Real x59 = x27 * x29;
   const Real x32 = v[1] * x25;
+  const Real x59 = x27 * x29;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
   const Real x95 = 3.673205103346574e-06 * x32;
@@ -112,42 +111,43 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1203 = x569 * Two{0.0, 1.3267948966763652e-09};
   const Two x1172 = x571 * Two{0.0005, -0.0004999999999982397};
   const Two x1168 = Two{0.0005, -0.0004999999999982397} + x571 * 0.05;
-  const Two x1171 = Two{0.0, 1.3267948966763652e-09} + x569 * 0.05;
   const Two x1166 = Two{0.0, -1.3267948966763652e-09} - x569 * Two{0.0, 3.5207693956928924e-13} + x571 * Two{0.0, 1.3267948966716939e-07};
   const Two x1156 = Two{-0.0005, 0.0004999999999982397} + x569 * Two{0.0, 1.3267948966716939e-07} - x571 * Two{0.05, 0.04999999999964792};
+  const Two x1171 = Two{0.0, 1.3267948966763652e-09} + x569 * 0.05;
   const Two x1201 = x569 * Two{0.0, 5.6332219911062896e-14} + Two{0.0, 2.122871834682184e-10} - x571 * Two{0.0, 2.1228718346747102e-08};
   const Real x1271 = across<2>(x1156);
   const Two x1219 = x569 * Two{0.0, 2.1228718346747102e-08} + Two{-8e-05, 7.999999999971834e-05} - x571 * Two{0.008, 0.007999999999943668};
   const Two x1181 = x1172 + Two{2.16667e-05, 2.166670000897794e-05} + x571 * x1168;
   const Two x1211 = x1203 + Two{0.0012966667000000002, 0.001296666699991022} + x569 * x1171;
-  const Real x1264 = across<2>(x1168);
   const Real x1266 = across<2>(x1219);
   const Two x1227 = 8.33333e-06 + x1203 + x1172 - x569 * x1166;
   const Two x1228 = x1227 - x571 * x1156;
-  const Two x1191 = x571 * Two{0.0, 1.3267948966763652e-09} + Two{0.0, 3.3833269865128193e-09} + x569 * x1168;
+  const Real x1264 = across<2>(x1168);
   const Real x1283 = 0.007199999999999999 + across<2>(x1166);
+  const Two x1191 = x571 * Two{0.0, 1.3267948966763652e-09} + Two{0.0, 3.3833269865128193e-09} + x569 * x1168;
   const Real x1277 = -0.00014399999999999992 + across<2>(x1201);
   const Real x1281 = -0.007199999999999999 + across<2>(x1171);
   const Real x1282 = 0.00317433 + across<2>(x1228);
   require_more(w, x1282, 0.0, kFactorization, 6);
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1392 = 2.0 * sine[6];
-  const Real x1351 = sine[6] * x1264 + cosine[6] * x1281;
   const Real x1300 = 1 / x1282;
+  const Real x1351 = sine[6] * x1264 + cosine[6] * x1281;
   // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
   const Real x55 = x25 * x27;
+  const Real x37 = sine[1] * 9.809999999933819;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
-  const Real x97 = 0.9999999999932537 * x32;
   const Real x89 = sine[2] * x80 - x25 * cosine[2];
   const Real x93 = x25 * sine[2] + cosine[2] * x80;
-  const Real x125 = -3.603414206382989e-05 + (x30 + x59) * 0.3;
   const Real x120 = (x25 * x25 + x29 * x29) * 0.3;
   const Real x122 = x120 - cosine[1] * 9.809999999933819;
+  const Real x125 = -3.603414206382989e-05 + (x30 + x59) * 0.3;
+  const Real x97 = 0.9999999999932537 * x32;
   const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
   const Real x118 = x37 + x55 * 0.3;
-  const Real x162 = x89 * x94;
   const Real x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
+  const Real x162 = x89 * x94;
   const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
   const Real x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
   const Real x143 = sine[2] * x118 + cosine[2] * x129;
@@ -155,7 +155,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
   const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
-  const Real x183 = x89 * cosine[3] + sine[3] * x174;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1305 = x1271 * x1300;
   const Real x1306 = x1283 * x1300;
@@ -173,17 +172,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1312 = across<2>(x1191) - x1277 * x1304;
   const Real x1418 = cosine[6] * (x1330 - x1336) - x1333 * x1392;
   const Real x1357 = cosine[6] * (x1315 - x1327) - sine[6] * (x1318 + x1324);
-  const Real x1396 = cosine[6] * (x1309 - x1321) - x1312 * x1392;
   const Real x1422 = cosine[6] * x1418;
+  const Real x1396 = cosine[6] * (x1309 - x1321) - x1312 * x1392;
   const Real x1362 = cosine[6] * x1357;
-  const Real x1358 = sine[6] * x1357;
-  const Real x1400 = cosine[6] * x1396;
   const Real x1424 = x1330 - x1422;
+  const Real x1400 = cosine[6] * x1396;
   const Real x1364 = x1315 - x1362;
   const Real x1402 = x1309 - x1400;
+  const Real x1429 = 3.673205103346574e-06 * (x1424 - 0.95);
+  const Real x1358 = sine[6] * x1357;
+  const Real x1406 = 3.673205103346574e-06 * x1402;
+  const Real x1382 = 3.673205103346574e-06 * x1364 + 0.9999999999932537 * x1351;
+  const Real x1433 = 3.673205103346574e-06 * x1429;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x139 = sine[2] * x129 - cosine[2] * x118;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x183 = x89 * cosine[3] + sine[3] * x174;
   const Real x187 = cosine[3] * x174 - x89 * sine[3];
   const Real x188 = v[3] - (0.9999999999932537 * x93 + 3.673205103346574e-06 * x94);
   const Real x220 = x143 + (x89 * x93 - x97) * 0.08;
@@ -206,28 +210,24 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
   const Real x294 = 3.673205103346574e-06 * x214 - 0.9999999999932537 * x199;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1411 = 3.673205103346574e-06 * x1406;
+  const Real x1384 = 0.9999999999932537 * x1382;
+  const Real x1435 = 0.95 + x1433;
   const Real x1348 = cosine[6] * x1264 - sine[6] * x1281;
   const Real x1360 = x1318 + x1358;
-  const Real x1406 = 3.673205103346574e-06 * x1402;
-  const Real x1429 = 3.673205103346574e-06 * (x1424 - 0.95);
-  const Real x1382 = 3.673205103346574e-06 * x1364 + 0.9999999999932537 * x1351;
-  const Real x1411 = 3.673205103346574e-06 * x1406;
-  const Real x1433 = 3.673205103346574e-06 * x1429;
-  const Real x1431 = 0.9999999999932537 * x1429;
-  const Real x1384 = 0.9999999999932537 * x1382;
   const Real x1387 = 3.673205103346574e-06 * x1382;
-  const Real x1435 = 0.95 + x1433;
+  const Real x1431 = 0.9999999999932537 * x1429;
+  const Real x1448 = 0.09 * x1435 - x1384;
   const Real x1389 = x1364 - x1387;
   const Real x1436 = x1424 - x1433;
   const Real x1444 = 0.09 * x1431;
-  const Real x1448 = 0.09 * x1435 - x1384;
+  const Real x1476 = x1402 - x1411 - 0.09 * x1384 + 0.09 * x1448;
+  const Real x1523 = 0.00351 + x1476;
+  require_more(w, x1523, 0.0, kFactorization, 5);
   const Real x1372 = 3.673205103346574e-06 * x1360 + 0.9999999999932537 * x1348;
   const Real x1386 = x1351 - x1384;
   const Real x1399 = x1312 + sine[6] * x1396;
   const Real x1446 = x1387 + x1444;
-  const Real x1476 = x1402 - x1411 - 0.09 * x1384 + 0.09 * x1448;
-  const Real x1523 = 0.00351 + x1476;
-  require_more(w, x1523, 0.0, kFactorization, 5);
   const Real x1451 = x1386 - 0.09 * x1436;
   const Real x1421 = x1333 + sine[6] * x1418;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
@@ -820,8 +820,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2645 = x2618 - x2567 * x2636;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2615 = 0.3 * (cosine[2] * x2419 - sine[2] * x2421);
-  const Real x2617 = 0.9999999999932537 * x2584 - 3.673205103346574e-06 * tau[2] + x2615;
   const Real x2608 = 0.9999999999932537 * (sine[2] * x2419 + cosine[2] * x2421);
+  const Real x2617 = 0.9999999999932537 * x2584 - 3.673205103346574e-06 * tau[2] + x2615;
   const Real x2611 = x2608 - 3.673205103346574e-06 * (x738 + x2337 + x2279 * x2362);
   const Real x2614 = cosine[2] * x2415 - sine[2] * x2417 - 0.3 * x2611;
   const Real x2560 = 3.673205103346574e-06 * x2478 + 0.3 * (x2430 - 0.9999999999932537 * x2461);

@@ -1,10 +1,10 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --shape=unrolled --form=ada --name=arm7_unrolled
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form ada (assembly-disassembly algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_unrolled_p2.h
-// program   2 processes, joined at cuts; 0.5 us predicted (default profile)
+// program   2 processes, joined at cuts; 0.617 us predicted (default profile)
 //           process 0: base_yaw .. wrist_pitch
 //           process 1: flange_roll .. right_finger_slide
 // schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))
@@ -25,7 +25,7 @@ namespace { struct arm7_unrolled_p2_settings : PlainSettings {
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
 }; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
@@ -133,7 +133,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x122 = x120 - cosine[1] * 9.809999999933819;
   const Real x125 = -3.603414206382989e-05 + x62 * 0.3;
   const Real x93 = x25 * sine[2] + cosine[2] * x80;
-  const Real x89 = sine[2] * x80 - x25 * cosine[2];
   // joint 0 "base_yaw": assembly: its two sides become one chain
   const Real x485 = w.x[0] = 113.37868480725623 * tau[0];
   // link 2 "upper_arm": acceleration where nothing acts on it
@@ -165,9 +164,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x619 = w.x[6] = x565 + x614;
   const Real x630 = w.x[7] = 5.659309564233164 * x625;
   const Real x655 = w.x[8] = 56.59309564233163 * x625;
+  const Real x616 = w.x[9] = x554 - sine[1] * x600 - tau[1] * x587;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x1619 = 2.0 * sine[3];
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
+  const Real x89 = sine[2] * x80 - x25 * cosine[2];
   const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
   const Real x118 = x37 + x55 * 0.3;
   const Real x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
@@ -182,7 +183,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // link 2 "upper_arm": acceleration where nothing acts on it
   const Real x560 = x535 * 5.659309564233164 - x529 * 56.59309564233163;
   // joint 1 "shoulder_pitch": assembly: its two sides become one chain
-  const Real x616 = w.x[9] = x554 - sine[1] * x600 - tau[1] * x587;
   const Real x629 = x598 - x592 * x625;
   const Real x649 = x616 * x626;
   const Real x632 = w.x[10] = 1 / x629;
@@ -199,20 +199,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x662 = w.x[15] = 5.659309564233164 - 56.59309564233163 * x626 - x633 * x655;
   const Real x654 = w.x[16] = x569 - x649 + x651;
   const Real x643 = w.x[17] = 1 / x642;
+  const Real x671 = x643 * x663;
+  const Real x670 = x643 * x662;
   // link 3 "elbow_housing": acceleration where nothing acts on it
   const Real x754 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
   const Real x765 = x143 * 2.6 - (x157 - x111) * 0.078;
   const Real x757 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
   const Real x761 = x139 * 2.6 - (x114 + x162) * 0.078;
   const Real x780 = x754 * 111.2811239393518 - x765 * 3.338433718180554;
-  const Real x783 = x757 * 111.2811239393518 + x761 * 3.338433718180554;
   // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x917 = x619 - x614 - x565 + 0.3 * x727;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x97 = 0.9999999999932537 * x32;
   // joint 1 "shoulder_pitch": assembly: its two sides become one chain
-  const Real x671 = x643 * x663;
-  const Real x670 = x643 * x662;
   const Real x672 = x642 * x643;
   const Real x695 = 179.2114695340502 - 179.2114695340502 * x668 - x663 * x671;
   const Real x680 = 56.59309564233163 - 56.59309564233163 * x665 - x655 * x666;
@@ -223,6 +222,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x713 = x616 * x665 - x648 * x666 + x654 * x670;
   const Real x725 = x713 - x554;
   // link 3 "elbow_housing": acceleration where nothing acts on it
+  const Real x783 = x757 * 111.2811239393518 + x761 * 3.338433718180554;
   const Real x788 = x757 * 3.338433718180554 + x761 * 0.4847683961608012;
   const Real x792 = x765 * 0.4847683961608012 - x754 * 3.338433718180554;
   // joint 2 "upper_arm_roll": assembly: its two sides become one chain
@@ -263,6 +263,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x886 = cosine[2] * x882;
   const Real x853 = x852 - x823;
   const Real x876 = w.x[20] = sine[2] * x857 + cosine[2] * x863;
+  const Real x884 = x855 + sine[2] * x882;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
   const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
@@ -270,7 +271,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x770 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
   const Real x793 = x770 * 0.3846153846153846;
   // joint 2 "upper_arm_roll": assembly: its two sides become one chain
-  const Real x884 = x855 + sine[2] * x882;
   const Real x902 = cosine[2] * (1.849188411752619 - x896);
   const Real x909 = x816 - x849 + -3.338433718180554;
   const Real x838 = w.x[21] = cosine[2] * 2.264149437033022e-05 + sine[2] * x820;
@@ -304,10 +304,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x990 = w.x[29] = 1 / x980;
   const Real x1092 = w.x[30] = 111.2811239393518 * x973;
   const Real x1094 = w.x[31] = 3.338433718180554 * x973;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x183 = x89 * cosine[3] + sine[3] * x174;
-  const Real x187 = cosine[3] * x174 - x89 * sine[3];
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x1064 = w.x[32] = x949 - tau[2] * x876 + x962 * x973;
   const Real x968 = x793 - 3.673205103346574e-06 * x920 - tau[2] * x823;
   const Real x991 = w.x[33] = x983 * x990;
@@ -331,48 +327,49 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1189 = x1016 * x1100;
   const Real x1193 = x1016 * x1112;
   const Real x1192 = x1016 * x1107;
-  const Real x1069 = x952 + tau[2] * x838 - x962 * x975;
-  const Real x1070 = w.x[43] = x1069 - x991 * x1064;
   const Real x1028 = x914 - x909 * x976 - x986 * x992;
   const Real x1029 = x1028 - x1006 * x1017;
   const Real x1038 = cosine[2] * x892 + x828 * x976 + x989 * x992;
   const Real x1040 = x1014 * x1017 + x1038;
   const Real x1054 = x915 - x828 * x977 - x989 * x993;
-  const Real x1126 = w.x[44] = x1017 * x1104 - 111.2811239393518 * x992;
+  const Real x1126 = w.x[43] = x1017 * x1104 - 111.2811239393518 * x992;
   const Real x1120 = -3.338433718180554 - 111.2811239393518 * x976 - x992 * x1092;
-  const Real x1121 = w.x[45] = x1120 - x1017 * x1100;
-  const Real x1042 = w.x[46] = 1 / x1029;
+  const Real x1121 = w.x[44] = x1120 - x1017 * x1100;
+  const Real x1042 = w.x[45] = 1 / x1029;
   const Real x1214 = 111.2811239393518 - 111.2811239393518 * x1181 - x1092 * x1184;
+  const Real x1139 = 0.4847683961608012 + 3.338433718180554 * x976 + x992 * x1094;
+  const Real x1140 = w.x[46] = x1017 * x1112 + x1139;
+  const Real x1131 = w.x[47] = x1017 * x1107 - 3.338433718180554 * x992;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x183 = x89 * cosine[3] + sine[3] * x174;
+  const Real x187 = cosine[3] * x174 - x89 * sine[3];
   const Real x188 = v[3] - (0.9999999999932537 * x93 + 3.673205103346574e-06 * x94);
   const Real x220 = x143 + (x89 * x93 - x97) * 0.08;
   const Real x222 = (x162 - x114) * 0.08 - x134;
   // joint 2 "upper_arm_roll": assembly: its two sides become one chain
-  const Real x1139 = 0.4847683961608012 + 3.338433718180554 * x976 + x992 * x1094;
-  const Real x1140 = w.x[47] = x1017 * x1112 + x1139;
-  const Real x1131 = w.x[48] = x1017 * x1107 - 3.338433718180554 * x992;
   const Real x1330 = 0.4847683961608012 - 3.338433718180554 * x1182 - x1094 * x1187;
   const Real x1251 = -3.338433718180554 + 111.2811239393518 * x1182 + x1092 * x1187;
+  const Real x1069 = x952 + tau[2] * x838 - x962 * x975;
+  const Real x1070 = w.x[48] = x1069 - x991 * x1064;
   const Real x1077 = x953 - tau[2] * x844 - x962 * x976;
   const Real x1043 = w.x[49] = x1040 * x1042;
   const Real x1195 = x1042 * x1126;
   const Real x1194 = x1042 * x1121;
   const Real x1197 = x1042 * x1140;
   const Real x1196 = x1042 * x1131;
-  const Real x1079 = w.x[50] = x1077 - x992 * x1064 + x1017 * x1070;
   const Real x1056 = x1054 - x1014 * x1019 - x1040 * x1043;
-  const Real x1161 = w.x[51] = x1019 * x1104 - 111.2811239393518 * x993 + x1043 * x1126;
+  const Real x1161 = w.x[50] = x1019 * x1104 - 111.2811239393518 * x993 + x1043 * x1126;
   const Real x1266 = 111.2811239393518 - 111.2811239393518 * x1185 - x1104 * x1191;
   const Real x1151 = 111.2811239393518 * x977 + x993 * x1092 + x1019 * x1100;
-  const Real x1153 = w.x[52] = x1043 * x1121 - x1151;
+  const Real x1153 = w.x[51] = x1043 * x1121 - x1151;
   const Real x1179 = 3.338433718180554 * x977 + x993 * x1094 + x1019 * x1112;
-  const Real x1180 = w.x[53] = x1043 * x1140 + x1179;
-  const Real x1057 = w.x[54] = 1 / x1056;
-  const Real x1169 = w.x[55] = x1019 * x1107 - 3.338433718180554 * x993 + x1043 * x1131;
-  const Real x1089 = x968 - x962 * x977 - x993 * x1064;
+  const Real x1180 = w.x[52] = x1043 * x1140 + x1179;
+  const Real x1057 = w.x[53] = 1 / x1056;
+  const Real x1169 = w.x[54] = x1019 * x1107 - 3.338433718180554 * x993 + x1043 * x1131;
+  const Real x1079 = w.x[55] = x1077 - x992 * x1064 + x1017 * x1070;
   const Real x1278 = 3.338433718180554 - 111.2811239393518 * x1186 - x1104 * x1192;
   const Real x1303 = 0.4847683961608012 - 3.338433718180554 * x1186 - x1107 * x1192;
-  const Real x1091 = w.x[56] = x1019 * x1070 + x1089 + x1043 * x1079;
+  const Real x1089 = x968 - x962 * x977 - x993 * x1064;
   const Real x1199 = x1057 * x1161;
   const Real x1198 = x1057 * x1153;
   const Real x1202 = 0.3846153846153846 * x1057;
@@ -380,12 +377,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1200 = x1057 * x1169;
   const Real x1292 = x1161 * x1202;
   const Real x1268 = x1266 - x1126 * x1195 - x1161 * x1199;
-  // joint 4 "forearm_roll": assembly: its two sides become one chain
-  const Real x2553 = 2.0 * sine[4];
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
-  const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x1216 = x1214 - x1100 * x1189 - x1121 * x1194;
   const Real x1217 = x1216 - x1153 * x1198;
   const Real x1227 = x1100 * x1191 - x1092 * x1185 - x1121 * x1195;
@@ -395,12 +386,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1332 = x1330 - x1112 * x1193 - x1140 * x1197;
   const Real x1253 = x1100 * x1193 + x1251 - x1121 * x1197;
   const Real x1254 = x1253 - x1153 * x1201;
+  // joint 4 "forearm_roll": assembly: its two sides become one chain
+  const Real x2553 = 2.0 * sine[4];
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x1280 = x1278 - x1126 * x1196 - x1161 * x1200;
   const Real x1238 = x1100 * x1192 - x1092 * x1186 - x1121 * x1196;
   const Real x1239 = x1238 - x1153 * x1200;
   const Real x1315 = 3.338433718180554 * x1187 - x1107 * x1193 - x1131 * x1197;
   const Real x1316 = x1315 - x1169 * x1201;
   const Real x1305 = x1303 - x1131 * x1196 - x1169 * x1200;
+  const Real x1091 = w.x[56] = x1019 * x1070 + x1089 + x1043 * x1079;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x1596 = 3.673205103346574e-06 * x1228;
   const Real x1525 = x1332 - x1180 * x1201 + 1.6274634456452637;
@@ -439,27 +434,20 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1588 = sine[3] * x1587;
   const Real x1673 = cosine[3] * x1550 - sine[3] * x1557 + -9.757715913858885;
   const Real x1746 = w.x[57] = 1 / x1672;
+  const Real x1682 = x1525 - x1650 + 2.3394079550222524;
+  require_more(w, x1682, 3.871069992040982e-14, kGrowth, 3);
+  const Real x1594 = x1593 - x1560;
+  const Real x1589 = x1544 + x1588;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
+  const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
   const Real x246 = x188 * x188;
   const Real x254 = x187 * x188;
   const Real x259 = x183 * x188;
   const Real x199 = 3.673205103346574e-06 * x97 - 0.9999999999932537 * x114;
   const Real x218 = x139 - (x148 + x94 * x94) * 0.08;
   const Real x226 = 0.9999999999932537 * x222 - 3.673205103346574e-06 * x220;
-  const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
-  const Real x247 = x187 * x187 + x246;
-  const Real x249 = x183 * x187;
-  const Real x252 = x183 * x183 + x246;
-  const Real x260 = x214 + x259;
-  // link 3 "elbow_housing": acceleration where nothing acts on it
-  const Real x784 = x97 * 0.0039325 * 254.29116338207245;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
-  const Real x1355 = x1064 * x1185 + x1070 * x1191 + x1079 * x1195;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
-  const Real x1682 = x1525 - x1650 + 2.3394079550222524;
-  require_more(w, x1682, 3.871069992040982e-14, kGrowth, 3);
-  const Real x1594 = x1593 - x1560;
-  const Real x1589 = x1544 + x1588;
   const Real x1665 = cosine[3] * (x1305 - x1652) - x1619 * x1633;
   const Real x1669 = cosine[3] * x1665;
   const Real x1747 = w.x[58] = x1624 * x1746;
@@ -475,9 +463,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1755 = x1674 - x1624 * x1747;
   const Real x1758 = x1594 * x1747 - (x1536 + x1588);
   const Real x1761 = x1239 - x1593 - x1589 * x1747;
+  const Real x1765 = w.x[62] = 1 / x1755;
   const Real x1675 = -18.181818181818183 - (sine[3] * x1550 + cosine[3] * x1557);
   const Real x1764 = x1675 + x1673 * x1747;
-  const Real x1765 = w.x[62] = 1 / x1755;
   const Real x1857 = w.x[63] = 97.57715913858884 * x1747;
   const Real x1861 = w.x[64] = -18.181818181818183 - 9.757715913858885 * x1747;
   const Real x1766 = w.x[65] = x1758 * x1765;
@@ -486,13 +474,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1962 = 363.6363636363637 * x1765;
   const Real x1961 = x1765 * x1857;
   const Real x1963 = x1765 * x1861;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x250 = x249 - x199;
-  const Real x251 = x199 + x249;
-  const Real x256 = x211 + x254;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
-  const Real x1373 = x1070 * x1193 - (x962 * x1182 + x1064 * x1187);
-  // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x1868 = w.x[68] = 363.6363636363637 * x1766;
   const Real x1774 = x1679 - x1594 * x1749 - x1758 * x1766;
   const Real x1779 = 0.48788579569294427 - (x1633 + sine[3] * x1665) + x1589 * x1749;
@@ -500,6 +481,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1785 = cosine[3] * x1639 + sine[3] * x1649 - x1673 * x1749;
   const Real x1786 = x1785 - x1764 * x1766;
   const Real x1805 = cosine[3] * x1649 - sine[3] * x1639 + x1673 * x1750;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
+  const Real x247 = x187 * x187 + x246;
+  const Real x249 = x183 * x187;
+  const Real x252 = x183 * x183 + x246;
+  const Real x260 = x214 + x259;
+  // link 3 "elbow_housing": acceleration where nothing acts on it
+  const Real x784 = x97 * 0.0039325 * 254.29116338207245;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1355 = x1064 * x1185 + x1070 * x1191 + x1079 * x1195;
+  // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x1787 = w.x[69] = 1 / x1774;
   const Real x1866 = w.x[70] = 97.57715913858884 * x1749 + x1766 * x1857;
   const Real x1874 = w.x[71] = 9.757715913858885 * x1749 - x1766 * x1861;
@@ -525,17 +517,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1896 = w.x[79] = 0.6984883523919266 - 0.48788579569294427 * x1788;
   const Real x1999 = 97.57715913858884 - 97.57715913858884 * x1958 - x1857 * x1961;
   const Real x2052 = -9.757715913858885 + 97.57715913858884 * x1959 - x1857 * x1963;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
-  const Real x1347 = x962 * x1181 + x1064 * x1184 - x1070 * x1189;
-  // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2193 = 2.3394079550222524 - 9.757715913858885 * x1959 - x1861 * x1963;
-  const Real x1893 = w.x[80] = 0.48788579569294427 - 1.430317045931343 * x1788;
-  const Real x1809 = w.x[81] = x1807 * x1808;
+  const Real x1809 = w.x[80] = x1807 * x1808;
   const Real x1973 = x1808 * x1887;
   const Real x1974 = x1808 * x1890;
   const Real x1972 = x1808 * x1882;
   const Real x1977 = x1808 * x1905;
   const Real x1976 = x1808 * x1896;
+  const Real x1893 = w.x[81] = 0.48788579569294427 - 1.430317045931343 * x1788;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1373 = x1070 * x1193 - (x962 * x1182 + x1064 * x1187);
+  // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x1821 = x1819 - x1786 * x1789 - x1807 * x1809;
   const Real x1926 = -18.181818181818183 - 363.6363636363637 * x1768 + x1789 * x1868;
   const Real x1927 = w.x[82] = x1926 - x1809 * x1887;
@@ -553,7 +545,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1979 = x1822 * x1918;
   const Real x1987 = x1822 * x1957;
   const Real x1985 = x1822 * x1944;
-  const Real x1983 = x1822 * x1938;
   const Real x2067 = x2065 - x1887 * x1973 - x1927 * x1980;
   const Real x2111 = 97.57715913858884 - 9.757715913858885 * x1968 - x1890 * x1974;
   const Real x2112 = x2111 - x1932 * x1981;
@@ -568,24 +559,29 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2055 = x2054 - x1918 * x1987;
   const Real x2138 = x1890 * x1977 - 9.757715913858885 * x1971 + x1932 * x1987;
   const Real x2195 = x2193 - x1874 * x1971 - x1905 * x1977;
+  const Real x2129 = 4.878857956929442 - 9.757715913858885 * x1970 - x1890 * x1976;
+  const Real x2130 = x2129 - x1932 * x1985;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
   const Real x2393 = 0.08 * x2075;
+  const Real x2522 = 3.673205103346574e-06 * x2015 - 0.9999999999932537 * x2024;
+  const Real x2534 = 3.673205103346574e-06 * (x2067 - x2112) + 1.9999999999865075 * x2075;
+  const Real x2378 = 0.38 * x2024;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x250 = x249 - x199;
+  const Real x251 = x199 + x249;
+  const Real x256 = x211 + x254;
   const Real x235 = cosine[3] * x218 + sine[3] * x226;
   const Real x239 = cosine[3] * x226 - sine[3] * x218;
   // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1347 = x962 * x1181 + x1064 * x1184 - x1070 * x1189;
   const Real x1378 = x1091 * x1199 + x1355 - x783;
   const Real x1379 = x784 + 254.29116338207245 * tau[2];
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
-  const Real x2129 = 4.878857956929442 - 9.757715913858885 * x1970 - x1890 * x1976;
-  const Real x2130 = x2129 - x1932 * x1985;
+  const Real x1983 = x1822 * x1938;
   const Real x2172 = 0.6984883523919266 - 0.48788579569294427 * x1970 - x1896 * x1976;
   const Real x2120 = 9.757715913858885 - 9.757715913858885 * x1969 - x1890 * x1975;
   const Real x2121 = x2120 - x1932 * x1983;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
-  const Real x2522 = 3.673205103346574e-06 * x2015 - 0.9999999999932537 * x2024;
-  const Real x2534 = 3.673205103346574e-06 * (x2067 - x2112) + 1.9999999999865075 * x2075;
-  const Real x2378 = 0.38 * x2024;
   const Real x2400 = x2103 + 0.08 * x2067 - 0.38 * x2015;
   const Real x2539 = 3.673205103346574e-06 * x2534;
   const Real x2541 = x2112 + x2539;
@@ -1099,18 +1095,18 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x3274 = w.x[173];
   const Real x3275 = w.x[174];
   const Real x3485 = 0.9999999999932537 * x3275 - 3.673205103346574e-06 * x3274;
-  const Real x3451 = w.x[182] = sine[5] * x3372 + cosine[5] * x3383 + x3283;
   const Real x3526 = x3445 * x3525;
   const Real x3527 = x3447 * x3525;
   const Real x3528 = x3448 * x3525;
+  const Real x3451 = w.x[182] = sine[5] * x3372 + cosine[5] * x3383 + x3283;
   const Real x3532 = w.x[183] = x3450 - x3445 * x3526;
   const Real x3535 = x3307 - x3358 + x3284 - x3447 * x3526;
   const Real x3538 = x3004 - x3361 + x3285 - x3448 * x3526;
   const Real x3454 = sine[5] * x3322 + cosine[5] * x3331 + x3286;
   const Real x3541 = x3454 - x3449 * x3526;
   const Real x3461 = sine[5] * x3422 - cosine[5] * x3414 + x3293;
-  const Real x3529 = x3449 * x3525;
   const Real x3542 = 1 / x3532;
+  const Real x3529 = x3449 * x3525;
   const Real x3463 = sine[5] * x3414 + cosine[5] * x3422 + x3295;
   const Real x3456 = w.x[184] = sine[5] * x3332 - cosine[5] * x3312 + x3288;
   const Real x3270 = w.x[169];
@@ -1123,10 +1119,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x3458 = w.x[187] = x3081 + x3333 + x3290;
   const Real x3273 = w.x[172];
   const Real x3503 = cosine[5] * x3273 + sine[5] * x3485 - x3300;
-  const Real x3606 = x3500 - tau[5] * x3451 - x3513 * x3526;
   const Real x3543 = x3535 * x3542;
   const Real x3544 = x3538 * x3542;
   const Real x3545 = x3541 * x3542;
+  const Real x3606 = x3500 - tau[5] * x3451 - x3513 * x3526;
   const Real x3504 = cosine[5] * x3485 - sine[5] * x3273 - x3301;
   const Real x3505 = 0.9999999999932537 * x3274 + 3.673205103346574e-06 * x3275 + x3302;
   const Real x3551 = w.x[188] = x3459 - x3447 * x3527 - x3535 * x3543;
@@ -1296,7 +1292,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x1944 = w.x[87];
   const Real x1957 = w.x[85];
   const Real x3974 = x1938 * x3880 + x1944 * x3887 + x1957 * x3892;
-  const Real x1893 = w.x[80];
+  const Real x1893 = w.x[81];
   const Real x1896 = w.x[79];
   const Real x1905 = w.x[78];
   const Real x3955 = x1893 * x3880 + x1896 * x3887 + x1905 * x3892;
@@ -1331,7 +1327,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x1844 = w.x[100];
   const Real x1890 = w.x[75];
   const Real x3995 = x1808 * (x1844 - (x1890 * x3906 - x3959));
-  const Real x1809 = w.x[81];
+  const Real x1809 = w.x[80];
   const Real x3999 = x3995 - x1809 * x3996;
   const Real x1787 = w.x[69];
   const Real x1835 = w.x[97];
@@ -1373,15 +1369,15 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   w.result[3] = x4036;
   const Real x4073 = 3.673205103346574e-06 * x4043 + 0.9999999999932537 * tau[3] + 0.08 * x4070;
   // joint 2 "upper_arm_roll": disassembly: its acceleration and force
-  const Real x1169 = w.x[55];
-  const Real x1180 = w.x[53];
+  const Real x1169 = w.x[54];
+  const Real x1180 = w.x[52];
   const Real x4127 = x1180 * x4065 - x1169 * x4057 - 0.3846153846153846 * x4070;
   // joint 3 "elbow_pitch": disassembly: its acceleration and force
   const Real x4077 = 0.9999999999932537 * x4043 - 3.673205103346574e-06 * tau[3] - 0.08 * x4065;
   // joint 2 "upper_arm_roll": disassembly: its acceleration and force
-  const Real x1121 = w.x[45];
-  const Real x1131 = w.x[48];
-  const Real x1140 = w.x[47];
+  const Real x1121 = w.x[44];
+  const Real x1131 = w.x[47];
+  const Real x1140 = w.x[46];
   const Real x4116 = x1140 * x4065 - x1131 * x4057 - x1121 * x4040;
   const Real x1100 = w.x[38];
   const Real x1107 = w.x[40];
@@ -1391,19 +1387,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x1094 = w.x[31];
   const Real x4097 = 3.338433718180554 * x4057 + x1094 * x4065 + x1092 * x4040;
   const Real x1091 = w.x[56];
-  const Real x1153 = w.x[52];
-  const Real x1161 = w.x[51];
+  const Real x1153 = w.x[51];
+  const Real x1161 = w.x[50];
   const Real x4134 = x1091 - (x4127 - x1153 * x4040 + x1161 * x4073);
-  const Real x1057 = w.x[54];
+  const Real x1057 = w.x[53];
   const Real x4142 = x1057 * x4134;
-  const Real x1042 = w.x[46];
-  const Real x1079 = w.x[50];
-  const Real x1126 = w.x[44];
+  const Real x1042 = w.x[45];
+  const Real x1079 = w.x[55];
+  const Real x1126 = w.x[43];
   const Real x4141 = x1042 * (x1079 - (x1126 * x4073 + x4116));
   const Real x1043 = w.x[49];
   const Real x4145 = x4141 + x1043 * x4142;
   const Real x1016 = w.x[37];
-  const Real x1070 = w.x[43];
+  const Real x1070 = w.x[48];
   const Real x1104 = w.x[36];
   const Real x4140 = x1016 * (x1070 - (x1104 * x4073 + x4107));
   const Real x990 = w.x[29];
@@ -1507,27 +1503,31 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1149 = w.x[0] = x943 * 3.3296807285906615e-06;
   const Real x1019 = 2.65358979335273e-06 * x962 - 0.9999999999964793 * x957;
   const Real x1031 = 0.9999999999964793 * (x949 + 27.77777777777778) - x1026;
-  const Real x970 = x588 * x957 + 2.3235294117647056;
   const Real x1079 = w.x[1] = x588 * x950 + x1004 + x585 * x956 + 25.999988000024;
   require_more(w, x1079, 3.862007046714566e-13, kGrowth, 8);
-  const Real x997 = w.x[2] = x995 - 0.13 * x949 - x585 * x962;
+  const Real x970 = x588 * x957 + 2.3235294117647056;
   const Real x1075 = 0.9999999999964793 * x950 + 2.65358979335273e-06 * x956 + -599.9988000024;
   const Real x1159 = x1075 - x943 * 0.00015919590865819434;
-  const Real x1073 = 3000.003000003 + x1019;
+  const Real x997 = w.x[2] = x995 - 0.13 * x949 - x585 * x962;
   const Real x1032 = 0.9999999999964793 * x1031;
   const Real x1036 = w.x[3] = 2.65358979335273e-06 * x1031;
-  const Real x998 = x588 * x949;
+  const Real x1073 = 3000.003000003 + x1019;
+  const Real x1166 = w.x[4] = x1159 * 1.658353407741297e-05;
   const Real x978 = 0.13 * x943 - x971 - x585 * x957;
   const Real x986 = x585 * 27.77777777777778 + 0.23529411764705882 + x588 * x943;
-  const Real x1166 = w.x[4] = x1159 * 1.658353407741297e-05;
+  const Real x998 = x588 * x949;
   const Real x1180 = 2.65358979335273e-06 * x950 - 0.9999999999964793 * x956 - x943 * 4.2244063836038523e-10;
   const Real x1181 = x1159 * 1.63606725685963e-08 + x1180;
+  const Real x1189 = w.x[5] = x1181 * 1.648191504944564e-05;
   const Real x1162 = x943 + x1036 + x1073 * 0.00015919590865819434;
-  const Real x1150 = w.x[5] = x1073 * 3.3296807285906615e-06;
+  const Real x1150 = w.x[6] = x1073 * 3.3296807285906615e-06;
   const Real x1065 = 2.65358979335273e-06 * (x970 - x997) + x978 * 1.9999999999929585;
-  const Real x1189 = w.x[6] = x1181 * 1.648191504944564e-05;
   const Real x1167 = w.x[7] = x1162 * 1.658353407741297e-05;
   const Real x1069 = w.x[8] = 2.65358979335273e-06 * x1065;
+  const Real x1198 = x1079 - x943 * x1149 - x1159 * x1166;
+  const Real x1199 = w.x[9] = x1198 - x1181 * x1189;
+  const Real x1186 = x1032 - x949 + -1799.9964000071998 - x1073 * 4.2244063836038523e-10;
+  const Real x1187 = x1186 - x1162 * 1.63606725685963e-08;
   // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
   const Real x30 = v[1] * x27;
   const Real x32 = v[1] * x25;
@@ -1549,25 +1549,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
   const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
   // joint 8 "right_finger_slide": assembly: its two sides become one chain
-  const Real x1186 = x1032 - x949 + -1799.9964000071998 - x1073 * 4.2244063836038523e-10;
-  const Real x1187 = x1186 - x1162 * 1.63606725685963e-08;
   const Real x1206 = 0.9999999999964793 * x986 + 2.65358979335273e-06 * x998 + x1073 * x1149;
-  const Real x1198 = x1079 - x943 * x1149 - x1159 * x1166;
-  const Real x1199 = w.x[9] = x1198 - x1181 * x1189;
-  const Real x1190 = w.x[10] = x1187 * 1.648191504944564e-05;
-  const Real x1081 = w.x[11] = x970 - x1069 + 103.99992200024599;
+  const Real x1210 = w.x[10] = 1 / x1199;
+  const Real x1190 = w.x[11] = x1187 * 1.648191504944564e-05;
+  const Real x1081 = w.x[12] = x970 - x1069 + 103.99992200024599;
   require_more(w, x1081, 1.4946464345439562e-12, kGrowth, 8);
-  const Real x1210 = w.x[12] = 1 / x1199;
   const Real x1209 = x1162 * x1166 - x1206 - x1187 * x1189;
   const Real x1222 = x1081 - (x1073 * x1150 + x1162 * x1167);
   const Real x1211 = w.x[13] = x1209 * x1210;
   const Real x1359 = x943 - 328.7950427750268 * x1149 - x1166 * 47.758820356278655;
   const Real x1360 = w.x[14] = x1359 - x1189 * 0.0001275136846625453;
-  const Real x1416 = x1019 - 328.7950427750268 * x1150 + x1167 * 47.758820356278655;
   const Real x1224 = w.x[15] = x1222 - x1187 * x1190 - x1209 * x1211;
-  const Real x1418 = w.x[16] = x1416 - x1190 * 0.0001275136846625453 - x1211 * x1360;
+  const Real x1225 = w.x[16] = 1 / x1224;
+  const Real x1416 = x1019 - 328.7950427750268 * x1150 + x1167 * 47.758820356278655;
+  const Real x1418 = w.x[17] = x1416 - x1190 * 0.0001275136846625453 - x1211 * x1360;
   const Real x1466 = x1210 * x1360;
-  const Real x1225 = w.x[17] = 1 / x1224;
+  const Real x1472 = x1225 * x1418;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x183 = x89 * cosine[3] + sine[3] * x174;
   const Real x187 = cosine[3] * x174 - x89 * sine[3];
@@ -1594,7 +1591,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
   // joint 8 "right_finger_slide": assembly: its two sides become one chain
-  const Real x1472 = x1225 * x1418;
   const Real x1626 = w.x[18] = 328.3972582458297 - x1360 * x1466 - x1418 * x1472;
   const Real x1343 = 47.81116318204386 * x1149 - x950 + x1166 * 300.897586242875;
   const Real x1344 = w.x[19] = x1189 * 0.0008033816505865777 + x1343;
@@ -2373,7 +2369,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_1(Workspace& w) {
   const Real x1199 = w.x[9];
   const Real x1229 = x1079 * 1.7763568394002505e-15;
   require_more(w, x1199, x1229, kFactorization, 8);
-  const Real x1081 = w.x[11];
+  const Real x1081 = w.x[12];
   const Real x1224 = w.x[15];
   const Real x1230 = x1081 * 1.7763568394002505e-15;
   require_more(w, x1224, x1230, kFactorization, 8);
@@ -2548,12 +2544,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   const Real x2931 = w.x[151];
   const Real x2932 = w.x[156];
   const Real x3946 = x2932 * x3912 + x2568 * x3909 + x2931 * x3918;
-  const Real x2995 = w.x[190];
-  const Real x3903 = 0.00011302169548758689 * x3819 - x3899 - 30.769230769023192 * x3820 + x2995;
-  const Real x2394 = w.x[139];
-  const Real x2463 = w.x[140];
-  const Real x3949 = x2463 * x3927 + x3946 + x2394 * x3939 - x3903;
-  w.result[6] = x3949;
   // joint 7 "left_finger_slide": disassembly: its acceleration and force
   const Real x4089 = x3912 - tau[7];
   const Real x2295 = w.x[132];
@@ -2576,10 +2566,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   const Real x1652 = w.x[74];
   const Real x1663 = w.x[34];
   const Real x3958 = x1626 * tau[6] + x1663 * x3909 + x1652 * x3912;
-  const Real x1951 = w.x[93];
-  const Real x1987 = w.x[138];
-  const Real x1993 = w.x[96];
-  const Real x4018 = x1951 * tau[6] + x1993 * x3909 + x1987 * x3912;
   const Real x2283 = w.x[78];
   const Real x2307 = w.x[91];
   const Real x4004 = x2307 * x3918 + x4002 + x2283 * x3927;
@@ -2595,14 +2581,26 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   const Real x1576 = w.x[26];
   const Real x1637 = w.x[40];
   const Real x3960 = x1637 * x3918 + x3958 + x1576 * x3927;
-  const Real x1939 = w.x[103];
-  const Real x2154 = w.x[135];
-  const Real x4020 = x2154 * x3918 + x4018 + x1939 * x3927;
+  const Real x1951 = w.x[93];
+  const Real x1987 = w.x[138];
+  const Real x1993 = w.x[96];
+  const Real x4018 = x1951 * tau[6] + x1993 * x3909 + x1987 * x3912;
   const Real x2117 = w.x[68];
   const Real x2151 = w.x[124];
   const Real x2271 = w.x[70];
   const Real x4028 = x2117 * (x2271 * x3939 + x4004 + x2151);
+  const Real x1939 = w.x[103];
+  const Real x2154 = w.x[135];
+  const Real x4020 = x2154 * x3918 + x4018 + x1939 * x3927;
   const Real x4088 = x3918 - x4028;
+  // joint 6 "flange_roll": disassembly: its acceleration and force
+  const Real x2995 = w.x[190];
+  const Real x3903 = 0.00011302169548758689 * x3819 - x3899 - 30.769230769023192 * x3820 + x2995;
+  const Real x2394 = w.x[139];
+  const Real x2463 = w.x[140];
+  const Real x3949 = x2463 * x3927 + x3946 + x2394 * x3939 - x3903;
+  w.result[6] = x3949;
+  // joint 7 "left_finger_slide": disassembly: its acceleration and force
   const Real x2103 = w.x[47];
   const Real x2139 = w.x[118];
   const Real x2214 = w.x[69];
@@ -2672,11 +2670,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   const Real x1269 = w.x[82];
   const Real x4169 = x4167 - 7.371082759313139e-05 * x4086 + x1269 * x4085;
   const Real x4099 = 328.7950427750268 * x4087 - (47.81116318204386 * x4085 + 7.026218837536823 * x4089);
-  const Real x1225 = w.x[17];
+  const Real x1225 = w.x[16];
   const Real x1260 = w.x[81];
-  const Real x1418 = w.x[16];
+  const Real x1418 = w.x[17];
   const Real x4177 = x1225 * (x1418 * x4087 + x4150 + x1260);
-  const Real x1210 = w.x[12];
+  const Real x1210 = w.x[10];
   const Real x1248 = w.x[73];
   const Real x1360 = w.x[14];
   const Real x4176 = x1210 * (x1360 * x4087 + x4139 + x1248);
@@ -2686,11 +2684,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   const Real x4175 = 1.648191504944564e-05 * (0.0001275136846625453 * x4087 + x4128 + x1239);
   const Real x1233 = w.x[66];
   const Real x4174 = 1.658353407741297e-05 * (47.758820356278655 * x4087 + x4113 + x1233);
-  const Real x1189 = w.x[6];
-  const Real x1190 = w.x[10];
+  const Real x1189 = w.x[5];
+  const Real x1190 = w.x[11];
   const Real x4186 = x4175 - x1190 * x4177 - x1189 * x4180;
   const Real x1136 = w.x[62];
-  const Real x1150 = w.x[5];
+  const Real x1150 = w.x[6];
   const Real x4204 = 3.3296807285906615e-06 * (x1136 + x4099) - x1150 * x4177;
   const Real x1166 = w.x[4];
   const Real x1167 = w.x[7];

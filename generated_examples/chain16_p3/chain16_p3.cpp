@@ -1,11 +1,11 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p3.h
-// program   3 processes, joined at cuts; 1.13 us predicted (default profile)
+// program   3 processes, joined at cuts; 1.34 us predicted (default profile)
 //           process 0: joint01 .. joint08
 //           process 1: joint09 .. joint12
 //           process 2: joint13 .. joint16
@@ -30,7 +30,7 @@ namespace { struct chain16_p3_settings : PlainLoops<16> {
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
   static constexpr bool kByColumns = true;
   static constexpr bool kCarriesAlong = true;
 }; }  // namespace: a program may load several solvers of one name

@@ -1,16 +1,16 @@
 // Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p4.h
-// program   4 processes, joined at cuts; 2.05 us predicted (default profile)
-//           process 0: joint01 .. joint07, joint10
-//           process 1: joint08 .. joint09
+// program   4 processes, joined at cuts; 2.18 us predicted (default profile)
+//           process 0: joint01 .. joint06, joint10
+//           process 1: joint07 .. joint09
 //           process 2: joint11 .. joint13
 //           process 3: joint14 .. joint16
-// schedule  joint10@0-3(joint07@0-1(joint06@0(joint05(joint04(joint03(joint02(joint01|)|)|)|)|) | joint08@1(|joint09)) | joint13@2-3(joint11@2(|joint12) | joint14@3(|joint15(|joint16))))
+// schedule  joint10@0-3(joint06@0-1(joint05@0(joint04(joint03(joint02(joint01|)|)|)|) | joint07@1(|joint08(|joint09))) | joint13@2-3(joint11@2(|joint12) | joint14@3(|joint15(|joint16))))
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
@@ -29,7 +29,7 @@ namespace { struct chain16_p4_settings : PlainSettings {
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
 }; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
@@ -120,14 +120,14 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
-    {1, 0, 90},  // 0: assembled: chain of "joint08"
+    {1, 0, 90},  // 0: assembled: chain of "joint07"
     {3, 2, 27},  // 1: assembled: chain of "joint14"
     {2, 0, 27},  // 2: assembled: chain of "joint13"
     {0, 2, 6},  // 3: forces on: chain of "joint13"
-    {0, 1, 12},  // 4: forces on: chain of "joint08"
+    {0, 1, 12},  // 4: forces on: chain of "joint07"
     {2, 3, 6},  // 5: forces on: chain of "joint14"
-    {0, 1, 20},  // 6: state
-    {1, 0, 2},  // 7: accelerations
+    {0, 1, 21},  // 6: state
+    {1, 0, 3},  // 7: accelerations
     {0, 2, 29},  // 8: state
     {2, 0, 3},  // 9: accelerations
     {0, 3, 35},  // 10: state
@@ -199,23 +199,27 @@ struct Joint_joint05 {
 struct Joint_joint06 {
   Transform X;  // frame of "rod05" to that of "rod06"
   Vec6 v;  // velocity of link "rod06"
-  Columns6 b;  // bias of the bare link "rod06"
-  Mat6 Phi_rod06;  // of the chain it completes
-  Columns6 b_rod06;
+  Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod09;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod06;
-  Columns6 F_on_rod06;  // outer wrench on that chain
+  Coupled<Revolute> at_rod09;
+  Columns6 b;  // bias of the bare link "rod06"
+  Columns6 F_on_rod09;  // outer wrench on that chain
 };
 
 struct Joint_joint07 {
   Transform X;  // frame of "rod06" to that of "rod07"
   Vec6 v;  // velocity of link "rod07"
+  Columns6 b;  // bias of the bare link "rod07"
+  Mat6 Phi_rod06;  // of the chain it completes
+  Mat6 Phi_rod06_rod09;  // of the chain it completes
   Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod06;
   Columns6 b_rod09;
   Joined<Revolute> joined;
+  Coupled<Revolute> at_rod06;
   Coupled<Revolute> at_rod09;
-  Columns6 b;  // bias of the bare link "rod07"
-  Columns6 F_on_rod09;  // outer wrench on that chain
+  Columns6 F_on_rod06;  // outer wrench on that chain
 };
 
 struct Joint_joint08 {
@@ -569,7 +573,7 @@ static void kinematics_joint06(Workspace& w) {
   i.v = i.X * w.j_joint05.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: the chain of "joint05"; B: link "rod06"; C feels the joint at "rod06"
+// A: the chain of "joint05"; B: the chain of "joint07"; C feels the joint at "rod09"
 static void assemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   load_torque(w, 5, 5, i.joined.tau);
@@ -577,22 +581,23 @@ static void assemble_joint06(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod06, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint07.Phi_rod06, least))
     fail(w, kGrowth, 5);
-  if (!join(i.joined, Phi_A, kPhi_rod06, i.X * w.j_joint05.b_rod05, w.j_joint06.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint07.Phi_rod06, i.X * w.j_joint05.b_rod05, w.j_joint07.b_rod06, c))
     fail(w, kFactorization, 5);
-  couple(i.joined, kPhi_rod06, i.at_rod06);
-  i.Phi_rod06 = kPhi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (4)
-  i.b_rod06 = w.j_joint06.b + bias_change(i.joined, i.at_rod06);  // Eq. (7)
+  couple(i.joined, w.j_joint07.Phi_rod06_rod09, i.at_rod09);
+  i.Phi_rod09 = w.j_joint07.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.b_rod09 = w.j_joint07.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 static void disassemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod06, w.j_joint06.F_on_rod06);
+  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 5, 5, release.qdd());  // Eq. (9)
   w.j_joint05.F_on_rod05 = -i.X.transposed_times(f);
+  w.j_joint07.F_on_rod06 = f;
 }
 
 // ---- joint 6 "joint07": revolute, between links "rod06" and "rod07"
@@ -607,30 +612,34 @@ static void kinematics_joint07(Workspace& w) {
   i.v = i.X * w.j_joint06.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: the chain of "joint06"; B: the chain of "joint08"; C feels the joint at "rod09"
+// A: link "rod06"; B: the chain of "joint08"; C feels the joint at "rod06", "rod09"
 static void assemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   load_torque(w, 6, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint06.Phi_rod06;
+  const Mat6 X_Phi_A = i.X * kPhi_rod06;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_joint08.Phi_rod07, least))
     fail(w, kGrowth, 6);
-  if (!join(i.joined, Phi_A, w.j_joint08.Phi_rod07, i.X * w.j_joint06.b_rod06, w.j_joint08.b_rod07, c))
+  if (!join(i.joined, Phi_A, w.j_joint08.Phi_rod07, i.X * w.j_joint06.b, w.j_joint08.b_rod07, c))
     fail(w, kFactorization, 6);
+  couple(i.joined, X_Phi_A, i.at_rod06);
   couple(i.joined, w.j_joint08.Phi_rod07_rod09, i.at_rod09);
+  i.Phi_rod06 = kPhi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (3)
+  i.Phi_rod06_rod09 = product(i.at_rod06, i.at_rod09);  // Eq. (5)
   i.Phi_rod09 = w.j_joint08.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.b_rod06 = w.j_joint06.b - bias_change(i.joined, i.at_rod06);  // Eq. (6)
   i.b_rod09 = w.j_joint08.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 static void disassemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod09, w.j_joint07.F_on_rod09);
+  release.feel_A(i.at_rod06, w.j_joint07.F_on_rod06);
+  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 6, 6, release.qdd());  // Eq. (9)
-  w.j_joint06.F_on_rod06 = -i.X.transposed_times(f);
   w.j_joint08.F_on_rod07 = f;
 }
 
@@ -671,7 +680,7 @@ static void disassemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod07, w.j_joint08.F_on_rod07);
-  release.feel_B(i.at_rod09, w.j_joint07.F_on_rod09);
+  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
   w.j_joint09.F_on_rod08 = f;
@@ -714,7 +723,7 @@ static void disassemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod08, w.j_joint09.F_on_rod08);
-  release.feel_B(i.at_rod09, w.j_joint07.F_on_rod09);
+  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
   release.force();  // Eq. (8)
   store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
 }
@@ -731,17 +740,17 @@ static void kinematics_joint10(Workspace& w) {
   i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
 }
 
-// A: the chain of "joint07"; B: the chain of "joint13"; C feels the joint at no link
+// A: the chain of "joint06"; B: the chain of "joint13"; C feels the joint at no link
 static void assemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   load_torque(w, 9, 9, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint07.Phi_rod09;
+  const Mat6 X_Phi_A = i.X * w.j_joint06.Phi_rod09;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod10, least))
     fail(w, kGrowth, 9);
-  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod10, i.X * w.j_joint07.b_rod09, w.j_joint13.b_rod10, c))
+  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod10, i.X * w.j_joint06.b_rod09, w.j_joint13.b_rod10, c))
     fail(w, kFactorization, 9);
 }
 
@@ -750,7 +759,7 @@ static void disassemble_joint10(Workspace& w) {
   Release<Revolute> release(i.joined);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 9, 9, release.qdd());  // Eq. (9)
-  w.j_joint07.F_on_rod09 = -i.X.transposed_times(f);
+  w.j_joint06.F_on_rod09 = -i.X.transposed_times(f);
   w.j_joint13.F_on_rod10 = f;
 }
 
@@ -993,7 +1002,7 @@ static void disassemble_joint16(Workspace& w) {
 
 // ---- processes ----------------------------------------------------------------------------------
 
-// Process 0: 8 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 2 more on the way to the ground
+// Process 0: 7 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 3 more on the way to the ground
 static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   kinematics_joint01(w);
@@ -1017,19 +1026,17 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   assemble_joint04(w);
   link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
   assemble_joint05(w);
-  link_bias(kLinks[6], w.j_joint06.v, w.j_joint06.b);
-  assemble_joint06(w);
   stamp(2);
-  {  // from process 1: assembled: chain of "joint08"
+  {  // from process 1: assembled: chain of "joint07"
     const Number* from = channel.receive(0, w.status);
-    from = get_symmetric(from, w.j_joint08.Phi_rod07);
-    from = get(from, w.j_joint08.Phi_rod07_rod09);
-    from = get_symmetric(from, w.j_joint08.Phi_rod09);
-    from = get(from, w.j_joint08.b_rod07);
-    get(from, w.j_joint08.b_rod09);
+    from = get_symmetric(from, w.j_joint07.Phi_rod06);
+    from = get(from, w.j_joint07.Phi_rod06_rod09);
+    from = get_symmetric(from, w.j_joint07.Phi_rod09);
+    from = get(from, w.j_joint07.b_rod06);
+    get(from, w.j_joint07.b_rod09);
   }
   stamp(3);
-  assemble_joint07(w);
+  assemble_joint06(w);
   stamp(4);
   {  // from process 2: assembled: chain of "joint13"
     const Number* from = channel.receive(2, w.status);
@@ -1047,16 +1054,15 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
     channel.send(3, w.status);
   }
   stamp(8);
-  disassemble_joint07(w);
+  disassemble_joint06(w);
   stamp(9);
-  {  // to process 1: forces on: chain of "joint08"
+  {  // to process 1: forces on: chain of "joint07"
     Number* to = channel.outgoing(4, w.status);
-    to = put(to, w.j_joint08.F_on_rod07);
-    put(to, w.j_joint07.F_on_rod09);
+    to = put(to, w.j_joint07.F_on_rod06);
+    put(to, w.j_joint06.F_on_rod09);
     channel.send(4, w.status);
   }
   stamp(10);
-  disassemble_joint06(w);
   disassemble_joint05(w);
   disassemble_joint04(w);
   disassemble_joint03(w);
@@ -1065,7 +1071,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(11);
 }
 
-// Process 1: 2 of 16 joints: "joint08", "joint09"; kinematics of 7 more on the way to the ground
+// Process 1: 3 of 16 joints: "joint07", "joint08", "joint09"; kinematics of 6 more on the way to the ground
 static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   kinematics_joint01(w);
@@ -1083,23 +1089,26 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   assemble_joint09(w);
   link_bias(kLinks[7], w.j_joint07.v, w.j_joint07.b);
   assemble_joint08(w);
+  link_bias(kLinks[6], w.j_joint06.v, w.j_joint06.b);
+  assemble_joint07(w);
   stamp(2);
-  {  // to process 0: assembled: chain of "joint08"
+  {  // to process 0: assembled: chain of "joint07"
     Number* to = channel.outgoing(0, w.status);
-    to = put_symmetric(to, w.j_joint08.Phi_rod07);
-    to = put(to, w.j_joint08.Phi_rod07_rod09);
-    to = put_symmetric(to, w.j_joint08.Phi_rod09);
-    to = put(to, w.j_joint08.b_rod07);
-    put(to, w.j_joint08.b_rod09);
+    to = put_symmetric(to, w.j_joint07.Phi_rod06);
+    to = put(to, w.j_joint07.Phi_rod06_rod09);
+    to = put_symmetric(to, w.j_joint07.Phi_rod09);
+    to = put(to, w.j_joint07.b_rod06);
+    put(to, w.j_joint07.b_rod09);
     channel.send(0, w.status);
   }
   stamp(3);
-  {  // from process 0: forces on: chain of "joint08"
+  {  // from process 0: forces on: chain of "joint07"
     const Number* from = channel.receive(4, w.status);
-    from = get(from, w.j_joint08.F_on_rod07);
-    get(from, w.j_joint07.F_on_rod09);
+    from = get(from, w.j_joint07.F_on_rod06);
+    get(from, w.j_joint06.F_on_rod09);
   }
   stamp(4);
+  disassemble_joint07(w);
   disassemble_joint08(w);
   disassemble_joint09(w);
   stamp(5);
@@ -1208,13 +1217,13 @@ static void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
 }
 
 [[maybe_unused]] constexpr std::array<StageInfo, 11> kStages_0{ {
-    {"kinematics", 9, -1}, {"assembly", 5, -1}, {"receive", -1, 0}, {"assembly", 6, -1},
+    {"kinematics", 9, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
     {"receive", -1, 2}, {"assembly", 9, -1}, {"disassembly", 9, -1}, {"send", -1, 3},
-    {"disassembly", 6, -1}, {"send", -1, 4}, {"disassembly", 5, -1}
+    {"disassembly", 5, -1}, {"send", -1, 4}, {"disassembly", 4, -1}
 } };
 [[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_1{ {
-    {"kinematics", 8, -1}, {"assembly", 7, -1}, {"send", -1, 0}, {"receive", -1, 4},
-    {"disassembly", 7, -1}
+    {"kinematics", 8, -1}, {"assembly", 6, -1}, {"send", -1, 0}, {"receive", -1, 4},
+    {"disassembly", 6, -1}
 } };
 [[maybe_unused]] constexpr std::array<StageInfo, 9> kStages_2{ {
     {"kinematics", 12, -1}, {"assembly", 10, -1}, {"receive", -1, 1}, {"assembly", 12, -1},
@@ -1227,8 +1236,8 @@ static void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
-constexpr std::array<Range, 6> kRanges_0{ {{0, 10}, {0, 10}, {0, 7}, {9, 1}, {0, 7}, {9, 1}} };
-constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {7, 2}, {7, 2}} };
+constexpr std::array<Range, 6> kRanges_0{ {{0, 10}, {0, 10}, {0, 6}, {9, 1}, {0, 6}, {9, 1}} };
+constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {6, 3}, {6, 3}} };
 constexpr std::array<Range, 4> kRanges_2{ {{0, 13}, {0, 13}, {10, 3}, {10, 3}} };
 constexpr std::array<Range, 4> kRanges_3{ {{0, 16}, {0, 16}, {13, 3}, {13, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {

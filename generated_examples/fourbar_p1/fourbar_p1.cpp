@@ -2,10 +2,10 @@
 // robot     "fourbar", 3 joints, 3 degrees of freedom, description sha256 4800d9bbec7e9c8eaf1d028c5dcc2b2c9b4ac7410509da822ae29051a7391834
 // command   adagen ../models/fourbar.urdf --scene=../models/fourbar.toml --procs 1
 // input     scene, sha256 0325233a36e76e4c778daddeedd8a5bf9b6954f1680ed02dfb94e4ffe29019ee
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes fourbar_p1.h
-// program   1 process; 0.0499 us predicted (default profile)
+// program   1 process; 0.0538 us predicted (default profile)
 //           process 0: crank_pin .. rocker_pin
 //
 // Closed loops: accelerations of their joints and constraint forces stay unknown until the last link that
@@ -97,10 +97,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x157 = 9.81 * sine[2] + x47 * 0.4;
   const Real x147 = cosine[2] * x140 - sine[2] * x137;
   const Real x143 = cosine[2] * x137 + sine[2] * x140;
-  const Real x106 = sine[1] * 0.5;
-  const Real x109 = 0.2 + cosine[1] * 0.5;
   const Real x178 = 0.4 * x147;
   const Real x163 = 0.4 * x143;
+  const Real x106 = sine[1] * 0.5;
+  const Real x109 = 0.2 + cosine[1] * 0.5;
   const Real x176 = x44 * x147 + x143 * x157;
   const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x119 = cosine[0] * x109 - sine[0] * x106;
@@ -114,30 +114,30 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x259 = 1 / x178;
-  const Real x311 = x234 * 1e-08;
   const Real x260 = x198 * x259;
   const Real x262 = (x32 + x36 * 0.5 - x176) * x259;
+  const Real x286 = 0.042726700000000006 * x260;
   const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
-  const Real x253 = v[2] * x178 - v[0] * x198;
-  const Real x265 = x178 * x178 * 16.0;
-  require_more(w, x265, 9.999999999999998e-15, kSingularPose, 3);
   // constraint rows of a loop at its two links
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x286 = 0.042726700000000006 * x260;
+  const Real x253 = v[2] * x178 - v[0] * x198;
   // constraint rows of a loop at its two links
   const Real x165 = x44 * x143 - x147 * x157 - x27;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x272 = 2.0 * (x197 - x163 * x260);
   const Real x273 = 2.0 * (x165 + x163 * x262);
+  const Real x265 = x178 * x178 * 16.0;
+  require_more(w, x265, 9.999999999999998e-15, kSingularPose, 3);
+  const Real x311 = x234 * 1e-08;
+  const Real x287 = x193 - 0.0834083 * x272;
+  const Real x298 = (x44 * 0.16000000000000003 + tau[2]) * x260;
   // constraint rows of a loop at its two links
   const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
   require_more(w, x257, 0.0, kLoopTorn, 3);
-  const Real x287 = x193 - 0.0834083 * x272;
-  const Real x298 = (x44 * 0.16000000000000003 + tau[2]) * x260;
   // joint 0 "crank_pin": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
@@ -185,13 +185,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x147 = cosine[2] * x140 - sine[2] * x137;
   const Real x163 = 0.4 * x143;
   const Real x178 = 0.4 * x147;
+  const Real x176 = x44 * x147 + x143 * x157;
   const Real x106 = sine[1] * 0.5;
   const Real x109 = 0.2 + cosine[1] * 0.5;
-  const Real x176 = x44 * x147 + x143 * x157;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x198 = sine[1] * 0.2;
-  const Real x187 = cosine[1] * 0.25;
   const Real x197 = 0.5 + cosine[1] * 0.2;
+  const Real x187 = cosine[1] * 0.25;
   const Real x193 = 0.0834083 + 0.2 * x187;
   const Real x234 = 0.0834083 + 0.2 * (0.2 + x187 + x187) + 0.00536333;
   const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
@@ -208,17 +208,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x253 = v[2] * x178 - v[0] * x198;
   const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
+  const Real x253 = v[2] * x178 - v[0] * x198;
   const Real x272 = sign_of(x259) * sqrt_of(1.0 + x259 * x259 + x267);
+  const Real x273 = x259 + x272;
+  const Real x306 = x272 * x272;
+  require_more(w, x306, 9.999999999999998e-15, kLoopSingular, 3);
   // constraint rows of a loop at its two links
   const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
   require_more(w, x257, 0.0, kLoopTorn, 3);
-  const Real x273 = x259 + x272;
-  const Real x306 = x272 * x272;
-  require_more(w, x306, 9.999999999999998e-15, kLoopSingular, 3);
   const Real x276 = 1.0 + x267 + x273 * x273;
   const Real x311 = 2.0 * (x44 * x143 - x147 * x157 - x27);
   const Real x317 = x311 * (1 / x272);

@@ -1,11 +1,11 @@
 // Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 4 --schedule=balanced --shape=kernels
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes human40_p4.h
-// program   4 processes, joined at cuts; 0.877 us predicted (default profile)
+// program   4 processes, joined at cuts; 1.09 us predicted (default profile)
 //           process 0: root .. left_hip, right_hip .. spine
 //           process 1: left_knee .. left_ankle
 //           process 2: neck | right_wrist in 2 lanes, left_shoulder, right_shoulder .. right_elbow
@@ -31,7 +31,7 @@ namespace { struct human40_p4_settings : PlainLoops<15> {
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
   static constexpr int kSlotCount = 26;
   static constexpr bool kReordered = true;
   static constexpr int kSlots[kJointCount] = {0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17};

@@ -1,10 +1,10 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --shape=kernels --batch --name=humanoid_batch
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_batch_p2.h
-// program   1 process; 0.281 us a state predicted (default profile)
+// program   1 process; 0.266 us a state predicted (default profile)
 //           process 0: __base__ .. right_wrist_pitch
 //
 // Each SIMD lane holds a state; the processes share the states of a batch, not the robot.
@@ -23,7 +23,8 @@ namespace { struct humanoid_batch_p2_settings : PlainLoops<30> {
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr bool kBatch = true;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  static constexpr std::size_t kCache = 1048576;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
 }; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/kernels/model.hpp"

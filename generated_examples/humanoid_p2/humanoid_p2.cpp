@@ -2,10 +2,10 @@
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --schedule=../models/humanoid_at_torso.json --shape=kernels
 // input     schedule, sha256 35c4c70f0b4c25ef442163ea2ff1fb2b75e983f3e3c7bd1a57b0eace91566f4f
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_p2.h
-// program   2 processes, gathered at torso; 0.52 us predicted (default profile)
+// program   2 processes, gathered at torso; 0.574 us predicted (default profile)
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll in 2
 //           lanes, __base__, waist_yaw .. waist_pitch
 //           process 1: left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch ..
@@ -29,7 +29,7 @@ namespace { struct humanoid_p2_settings : PlainLoops<30> {
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
   static constexpr bool kReordered = true;
   static constexpr int kSlots[kJointCount] = {12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27};
   static constexpr bool kInLanes = true;

@@ -1,11 +1,11 @@
 // Forward dynamics of "humanoid" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 3 --form=ada
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_p3.h
-// program   3 processes, joined at cuts; 2.94 us predicted (default profile)
+// program   3 processes, joined at cuts; 3.02 us predicted (default profile)
 //           process 0: __base__ .. waist_yaw
 //           process 1: waist_roll .. left_shoulder_pitch, neck_yaw .. right_wrist_pitch
 //           process 2: left_shoulder_roll .. left_wrist_pitch
@@ -28,7 +28,7 @@ namespace { struct humanoid_p3_settings : PlainSettings {
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
 }; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"

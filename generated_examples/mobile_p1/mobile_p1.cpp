@@ -1,10 +1,10 @@
 // Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 1
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes mobile_p1.h
-// program   1 process; 0.15 us predicted (default profile)
+// program   1 process; 0.157 us predicted (default profile)
 //           process 0: drive .. loose
 
 #include "mobile_p1.h"
@@ -98,11 +98,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x191 = x146 * x146;
   const Real x157 = x74 - (x83 * 0.15 + x87 * 0.02);
   const Real x164 = x70 - (x87 * 0.15 + x61 * x61 * 0.02);
-  const Real x182 = 0.18257418583505539 * x157 + x80 * 0.9128709291752769 - 0.36514837167011077 * x164;
   // joint 4 "wrist": placement, velocity and reference acceleration of its link
   const Real x240 = cosine[3] * 0.4955543024180784 + sine[3] * 0.8497464879390758;
   const Real x229 = 0.04136261787763011 * sine[3] - cosine[3] * 0.4028214625008311;
   const Real x246 = sine[3] * 0.4955543024180784 - cosine[3] * 0.8497464879390758;
+  const Real x233 = 0.04136261787763011 * cosine[3] + sine[3] * 0.4028214625008311;
   // joint 5 "loose": placement, velocity and reference acceleration of its link
   const Real x389 = q[10] * q[10] + q[11] * q[11] + q[12] * q[12];
   const Real x390 = q[13] * q[13] + x389;
@@ -132,7 +132,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x194 = x132 * x137;
   const Real x205 = x132 * x146;
   // joint 4 "wrist": placement, velocity and reference acceleration of its link
-  const Real x233 = 0.04136261787763011 * cosine[3] + sine[3] * 0.4028214625008311;
   const Real x251 = 0.7695198520529689 * cosine[3] - sine[3] * 0.5255663993041366;
   const Real x255 = cosine[3] * 0.5255663993041366 + 0.7695198520529689 * sine[3];
   // joint 5 "loose": placement, velocity and reference acceleration of its link
@@ -140,6 +139,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x397 = q[12] * x395;
   const Real x400 = q[11] * x393;
   const Real x401 = q[13] * x395;
+  const Real x403 = q[12] * x393;
+  const Real x404 = q[13] * x394;
   // joint 4 "wrist": articulated-body inertia and bias force through it
   const Real x1203 = x240 * 0.9;
   const Real x1200 = x229 * 0.9;
@@ -170,6 +171,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x196 = x188 + x191;
   const Real x198 = x137 * x146;
   const Real x206 = x149 + x205;
+  const Real x182 = 0.18257418583505539 * x157 + x80 * 0.9128709291752769 - 0.36514837167011077 * x164;
   const Real x200 = x147 - x198;
   const Real x201 = x147 + x198;
   const Real x207 = x205 - x149;
@@ -182,8 +184,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x314 = x176 - x194 * 0.3707213992782555 - x196 * 0.04639300360872268;
   const Real x315 = x200 * 0.06937819061732105 + x314;
   // joint 5 "loose": placement, velocity and reference acceleration of its link
-  const Real x403 = q[12] * x393;
-  const Real x404 = q[13] * x394;
   const Real x407 = q[10] * x393;
   const Real x410 = q[12] * x394;
   const Real x411 = q[13] * x393;
@@ -220,6 +220,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x298 = x147 * x233 + x149 * x246 + v[6] * x262;
   const Real x355 = x269 * x277;
   const Real x360 = x262 * x277;
+  const Real x329 = x229 * x307 - x240 * x315 + x251 * x323;
   // joint 5 "loose": placement, velocity and reference acceleration of its link
   const Real x476 = 0.18979606097868743 * x406 - x413 * 0.058710801693826524 + 0.9800665778412416 * x399;
   const Real x482 = 0.9800665778412416 * x402 - x414 * 0.058710801693826524 + 0.18979606097868743 * x409;
@@ -247,7 +248,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1475 = x1240 - x1415 * x1433;
   const Real x1478 = 2.4 + x1246 - x1288 * x1433;
   // joint 4 "wrist": placement, velocity and reference acceleration of its link
-  const Real x329 = x229 * x307 - x240 * x315 + x251 * x323;
   const Real x335 = x233 * x307 + x246 * x315 - x255 * x323;
   const Real x345 = x262 * x262;
   const Real x346 = x269 * x269;
@@ -299,6 +299,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1410 = x1340 - 0.04639300360872268 * x1256 + -0.0022896193017263246;
   const Real x1382 = x246 * x1110 - x240 * x1109 - 0.17988007001927067 * x1111;
   const Real x1375 = x229 * x1109 + x233 * x1110 + 0.9143434820629502 * x1111;
+  const Real x1297 = 0.06937819061732105 * x1134 + x1295 + 0.04639300360872268 * x1280;
   // joint 3 "shoulder": articulated-body inertia and bias force through it
   const Real x1712 = x123 * x1660 - x127 * x1667 - 0.36514837167011077 * x1674;
   const Real x1834 = 4.2 + x1712;
@@ -313,7 +314,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x800 = x200 * 0.01829609650863162 - x194 * 0.09623387584880971 - x207 * 0.0022896193017263246;
   const Real x801 = x800 - 0.012234548981428322 * (x196 - x192);
   // joint 4 "wrist": articulated-body inertia and bias force through it
-  const Real x1297 = 0.06937819061732105 * x1134 + x1295 + 0.04639300360872268 * x1280;
   const Real x1307 = x1305 - 0.06937819061732105 * x1146 + 0.06937819061732105 * x1251;
   const Real x1327 = x1325 - 0.3707213992782555 * x1150 + 0.06937819061732105 * x1256;
   const Real x1370 = x251 * x1106 + 0.3627935462750979 * tau[6] - x255 * x1107;

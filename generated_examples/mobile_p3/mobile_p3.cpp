@@ -1,11 +1,11 @@
 // Forward dynamics of "mobile" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 3 --form=ada
-// input     profile default, sha256 359daa366ac4b2c1b8e4c79c835a2ed3b5d2b83ca8966300a8d6ae06c2b88c97
+// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
 // options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes mobile_p3.h
-// program   3 processes, joined at cuts; 0.828 us predicted (default profile)
+// program   3 processes, joined at cuts; 0.935 us predicted (default profile)
 //           process 0: drive .. shoulder
 //           process 1: wrist .. loose
 //           process 2: nothing
@@ -27,7 +27,7 @@ namespace { struct mobile_p3_settings : PlainSettings {
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
-  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 152, 0.404}, {20.9, 192, 0.602}};
 }; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"

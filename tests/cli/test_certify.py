@@ -69,7 +69,17 @@ def test_mpi_processes_bound_what_they_answer_together(
     bounds = []
     for count in ("1", "4"):
         found = tmp_path / f"result{count}.json"
-        words = ["--procs", count, "--certify", "--channel", "window", "--states", str(given)]
+        words = [
+            "--procs",
+            count,
+            "--certify",
+            "--channel",
+            "window",
+            "--profile",
+            "zen4",
+            "--states",
+            str(given),
+        ]
         assert main(["solve", robot, *words, "--result", str(found)]) == 0
         assert "do not pay" not in capsys.readouterr().err
         bounds.append(json.loads(found.read_text())["error_bounds"])

@@ -91,7 +91,7 @@ def test_a_floating_body_of_its_own_needs_no_division_by_unknowns() -> None:
 
 def test_a_straight_line_is_chosen_where_its_price_is_less() -> None:
     assert chosen_shape(plan_of(serial_chain(6), 1)) == "unrolled"
-    assert chosen_shape(plan_of(serial_chain(60), 1)) == "kernels"  # too long
+    assert chosen_shape(plan_of(serial_chain(100), 1)) == "kernels"  # too long
     dear = step_profile(unrolled__operation=1.0)
     assert chosen_shape(plan_of(serial_chain(6), 1), profile=dear) == "kernels"
 

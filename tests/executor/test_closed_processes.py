@@ -65,7 +65,7 @@ def test_feet_on_the_ground_are_shared_out(processes: int) -> None:
 
 def test_a_chain_pinned_at_both_ends_is_shared_out_at_its_middle() -> None:
     model = looped_tree("spherical", 3, joints=44, whole=True)
-    profile = load_profile("default")
+    profile = load_profile("zen4")
     one, two = (best_schedule(model, processes, profile) for processes in (1, 2))
     alone, plan = make_plan(model, one), make_plan(model, two)
     assert two.makespan < 0.7 * predict(alone, profile).makespan

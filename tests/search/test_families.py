@@ -25,7 +25,7 @@ from tests.real import real_robot
 from tests.search.test_meeting_places import with_hands
 from tests.slow import slow
 
-DEFAULT = load_profile("default")
+PROFILE = load_profile("zen4")
 
 
 @settings(max_examples=6)
@@ -43,19 +43,19 @@ def test_nothing_that_is_joined_is_faster(
     rng = np.random.default_rng(seed)
     model = random_tree(rng, joints, branching=0.4, floating=floating)
     model = some_rubbing(model, seed) if friction else model
-    best, topology = best_schedule(model, processes, DEFAULT), Topology.of(model)
-    loops = best_schedule(model, processes, DEFAULT, shape="kernels")
-    assert loops.lower_bound <= loops.makespan == played(model, loops, DEFAULT)
+    best, topology = best_schedule(model, processes, PROFILE), Topology.of(model)
+    loops = best_schedule(model, processes, PROFILE, shape="kernels")
+    assert loops.lower_bound <= loops.makespan == played(model, loops, PROFILE)
     assert best.lower_bound <= best.makespan <= loops.makespan + 1e-5
-    assert best.makespan == predict(make_plan(model, best), DEFAULT).makespan
+    assert best.makespan == predict(make_plan(model, best), PROFILE).makespan
     validate(best, topology)
     cuttable = cuttable_joints(model)
-    found = find_schedule(topology, processes, profile=DEFAULT, cuttable=cuttable)
-    assert loops.makespan <= played(model, found, DEFAULT)
+    found = find_schedule(topology, processes, profile=PROFILE, cuttable=cuttable)
+    assert loops.makespan <= played(model, found, PROFILE)
     for k in range(6):
-        other = random_schedule(topology, processes, DEFAULT, seed + k)
+        other = random_schedule(topology, processes, PROFILE, seed + k)
         if all(cuttable[j] for j in joined_between_processes(other.root)):
-            time = played(model, other, DEFAULT) + 1e-9
+            time = played(model, other, PROFILE) + 1e-9
             assert loops.lower_bound <= time
             assert best.lower_bound <= time
 
@@ -76,13 +76,13 @@ def test_one_process_is_a_candidate_in_each_shape(model: Model) -> None:
         alone = find_schedule(
             Topology.of(model),
             processes,
-            profile=DEFAULT,
+            profile=PROFILE,
             cuttable=[False] * len(model.joints),
         )
         for shape in ("auto", "kernels", "unrolled"):
-            best = best_schedule(model, processes, DEFAULT, shape=shape)
-            one = predict(make_plan(model, alone), DEFAULT, shape).makespan
-            assert best.makespan == predict(make_plan(model, best), DEFAULT, shape).makespan
+            best = best_schedule(model, processes, PROFILE, shape=shape)
+            one = predict(make_plan(model, alone), PROFILE, shape).makespan
+            assert best.makespan == predict(make_plan(model, best), PROFILE, shape).makespan
             assert best.makespan <= one
             assert (best.straight_lines > 0) == (shape != "kernels")
             assert best.verdict == "optimal" or shape == "unrolled"
@@ -90,9 +90,9 @@ def test_one_process_is_a_candidate_in_each_shape(model: Model) -> None:
 
 def test_of_straight_lines_little_is_proven() -> None:
     """Whoever exchanges anything waits for it: only what is done sooner cannot be beaten."""
-    arm = best_schedule(serial_chain(3), 2, DEFAULT, shape="unrolled")
+    arm = best_schedule(serial_chain(3), 2, PROFILE, shape="unrolled")
     assert arm.verdict == "optimal"
-    figure = best_schedule(human_figure(), 2, DEFAULT, shape="unrolled")
+    figure = best_schedule(human_figure(), 2, PROFILE, shape="unrolled")
     assert 0.0 < figure.lower_bound < figure.makespan
     least = f"take {figure.lower_bound:.2g} us at least"
     among = f"others among {figure.among} {least}"
@@ -102,42 +102,42 @@ def test_of_straight_lines_little_is_proven() -> None:
 
 
 def test_schedules_by_name_are_candidates() -> None:
-    found = best_schedule(serial_chain(12), 2, DEFAULT)
+    found = best_schedule(serial_chain(12), 2, PROFILE)
     assert {"balanced", "sequential", "middle-out"} <= set(found.families)
 
 
 def test_long_chains_are_shared_out() -> None:
     """With a budget that does not grow with the chain; the bound is that of all schedules."""
     model = serial_chain(700)
-    best = best_schedule(model, 4, DEFAULT)
+    best = best_schedule(model, 4, PROFILE)
     alone = find_schedule(
-        Topology.of(model), 4, profile=DEFAULT, cuttable=[False] * len(model.joints)
+        Topology.of(model), 4, profile=PROFILE, cuttable=[False] * len(model.joints)
     )
-    assert best.makespan < 0.7 * played(model, alone, DEFAULT)
-    assert best.makespan == predict(make_plan(model, best), DEFAULT).makespan
+    assert best.makespan < 0.7 * played(model, alone, PROFILE)
+    assert best.makespan == predict(make_plan(model, best), PROFILE).makespan
 
 
 @pytest.mark.slow
 def test_the_gap_of_a_long_chain_is_small() -> None:
-    assert best_schedule(serial_chain(700), 4, DEFAULT).gap < 0.15
+    assert best_schedule(serial_chain(700), 4, PROFILE).gap < 0.15
 
 
 @pytest.mark.parametrize("model", [serial_chain(24), slow(serial_chain(60)), slow(human_figure())])
 def test_more_processes_are_not_slower(model: Model) -> None:
     """Processes that do not pay stay idle."""
-    times = [best_schedule(model, processes, DEFAULT).makespan for processes in (1, 2, 4, 8)]
+    times = [best_schedule(model, processes, PROFILE).makespan for processes in (1, 2, 4, 8)]
     assert times == sorted(times, reverse=True)
 
 
 def test_the_file_tells_what_was_searched() -> None:
     model = human_figure()
-    best, topology = best_schedule(model, 3, DEFAULT), Topology.of(model)
+    best, topology = best_schedule(model, 3, PROFILE), Topology.of(model)
     told = json.loads(schedule_to_json(best, topology))
     assert {"alone", "gathered", "joined"} <= set(told["families"])
     assert told["straight_lines"] == best.straight_lines > 0
     assert best.proven.endswith(f" among loops and {best.straight_lines} straight lines")
     assert told["candidates"] == best.candidates > 1
-    again = schedule_from_json(json.dumps(told), topology, DEFAULT)
+    again = schedule_from_json(json.dumps(told), topology, PROFILE)
     assert again.families == ()  # it is priced by its tree anew
     assert make_plan(model, again) == make_plan(model, best)
 
@@ -147,7 +147,7 @@ def test_fewer_processes_are_searched_where_the_budget_strikes() -> None:
     model = with_hands(2, 3, 2, floating=False)
 
     def least(processes: int, expansions: int) -> float:
-        found = best_schedule(model, processes, DEFAULT, expansions=expansions, shape="kernels")
+        found = best_schedule(model, processes, PROFILE, expansions=expansions, shape="kernels")
         return found.makespan
 
     alone, two = least(1, 20), least(2, 1000)
@@ -158,8 +158,8 @@ def test_fewer_processes_are_searched_where_the_budget_strikes() -> None:
 
 def test_more_processes_are_not_predicted_slower() -> None:
     """The straight line that is best on two processes is no candidate of those on four alone."""
-    path = real_robot("anymal_b_simple_description/robots/anymal-kinova.urdf")
+    path = real_robot("g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf")
     model = read_robot(path, floating=True).model
-    two, four = (best_schedule(model, processes, DEFAULT) for processes in (2, 4))
+    two, four = (best_schedule(model, processes, PROFILE) for processes in (2, 4))
     assert two.meeting == four.meeting == "gather"
     assert four.makespan <= two.makespan
