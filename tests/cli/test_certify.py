@@ -69,17 +69,8 @@ def test_mpi_processes_bound_what_they_answer_together(
     bounds = []
     for count in ("1", "4"):
         found = tmp_path / f"result{count}.json"
-        words = [
-            "--procs",
-            count,
-            "--certify",
-            "--channel",
-            "window",
-            "--profile",
-            "zen4",
-            "--states",
-            str(given),
-        ]
+        words = ["--procs", count, "--states", str(given)]
+        words += ["--certify", "--channel", "window", "--profile", "zen4"]
         assert main(["solve", robot, *words, "--result", str(found)]) == 0
         assert "do not pay" not in capsys.readouterr().err
         bounds.append(json.loads(found.read_text())["error_bounds"])
