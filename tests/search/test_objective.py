@@ -41,14 +41,14 @@ from tests.models import serial_chain, star
 from tests.real import real_robot
 from tests.slow import all_but, slow
 
-DEFAULT = load_profile("default")
-assert DEFAULT.steps is not None
+SHIPPED = load_profile("xeon")
+assert SHIPPED.steps is not None
 # Costs under which two processes pay for chains of 80 rods: articulated inertias dearer.
 DEAR = {
     name: (10 if name.startswith("articulate") else 1) * x
-    for name, x in DEFAULT.steps.table.items()
+    for name, x in SHIPPED.steps.table.items()
 }
-PROFILE = replace(DEFAULT, steps=replace(DEFAULT.steps, table=DEAR))
+PROFILE = replace(SHIPPED, steps=replace(SHIPPED.steps, table=DEAR))
 
 
 @cache
@@ -133,7 +133,7 @@ def test_what_loops_lose_where_one_process_holds_the_ground_is_predicted(
 ) -> None:
     """Rounding of mobilities counts, not growth: that of one process would be 50 times less."""
     model = serial_chain(60)
-    schedule = best_schedule(model, 2, DEFAULT)
+    schedule = best_schedule(model, 2, SHIPPED)
     plan = make_plan(model, schedule)
     assert sum(bool(process.owns) for process in plan.processes) == 2
     states = States(*program_states(plan))
