@@ -8,6 +8,12 @@
 
 namespace {
 
+// The energy norm of a part, relative to that of the whole, of their squares.
+[[maybe_unused]] inline double energy_ratio(double part, double whole) {
+  if (whole > 0) return std::sqrt(part / whole);
+  return part > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
 // Whether errors can be told beside an answer, by the square of its energy norm. Where hardly
 // anything accelerates they cannot: squares of what rounding takes, which are smaller by the square
 // of an epsilon, leave the range of numbers there.

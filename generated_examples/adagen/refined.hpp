@@ -9,6 +9,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "error_bound.hpp"
 #include "gravity.hpp"
 #include "refine.hpp"
 #include "sample/channel.hpp"
@@ -53,12 +54,6 @@ inline void collect_forces(Workspace& w, const RefinedProcess& own, const Number
   for (int k = 0; k < own.inner.count; ++k) r.hand_on(own.inner.first[k], own.beyond.first[k]);
 }
 
-// One energy beside another.
-inline double ratio(double part, double whole) {
-  if (whole > 0) return std::sqrt(part / whole);
-  return part > 0 ? std::numeric_limits<double>::infinity() : 0;
-}
-
 // Sends energies to process 0, and what their sums tell back to all. Their roots are sent: the
 // squares of small ones leave the range of floats.
 inline double share_size(Workspace& w, Channel& channel) {
@@ -80,9 +75,9 @@ inline double share_size(Workspace& w, Channel& channel) {
     }
     ++message;
   }
-  double size = ratio(e, t);
+  double size = energy_ratio(e, t);
   // What leaves the range of numbers is rounding, too.
-  r.rounding = ratio(static_cast<Number>(e), static_cast<Number>(std::max(t, s)));
+  r.rounding = energy_ratio(static_cast<Number>(e), static_cast<Number>(std::max(t, s)));
   for (const int p : kSharing) {
     if (channel.rank() == 0) {
       Number* to = channel.outgoing(message, w.status);

@@ -38,10 +38,11 @@ def test_it_generates_builds_runs_and_sums_up(
 
 def test_two_processes_pay_for_the_snake() -> None:
     snake = adagen.read(MODELS / "snake100.urdf", floating=True)
-    one, two = (adagen.compile(snake, procs=procs) for procs in (1, 2))
+    assert all(adagen.compile(snake, procs=2).program.processes)
+    one, two = (adagen.compile(snake, procs=procs, profile="xeon") for procs in (1, 2))
     assert one.predicted is not None
     assert two.predicted is not None
-    assert two.predicted < 0.85 * one.predicted
+    assert two.predicted < 0.75 * one.predicted
     assert all(two.program.processes)
 
 

@@ -1,7 +1,6 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -20,18 +19,13 @@ namespace {
 // equations of motion leave over (certify.hpp) leaves u / D at each joint; one more sweep outwards
 // makes the correction of it, H^-1 times the residual, whose energy norm that sweep has found.
 
-inline double size_of(double part, double whole) {
-  if (whole > 0) return std::sqrt(part / whole);
-  return part > 0 ? std::numeric_limits<double>::infinity() : 0;
-}
-
 // A correction must be smaller than half of the answer, later ones than half of the one before, and
 // the last one so small that what it leaves, about its square, has digits; down to what the
 // residual itself is rounded by.
 constexpr double kSmallEnough = std::numeric_limits<Real>::digits > 30 ? 1e-3 : 0.1;
 inline void begin_own_correction(Workspace& w, int k) {
   const double seen = double(w.seen), settled = 4 * double(kUnit) * double(kUnit);
-  const double size = size_of(seen, double(w.energy));
+  const double size = energy_ratio(seen, double(w.energy));
   auto& sizes = w.refinement.corrections;
   const double before = k > 0 ? sizes[static_cast<std::size_t>(k) - 1] : 1;
   sizes[static_cast<std::size_t>(k)] = size;
@@ -39,6 +33,8 @@ inline void begin_own_correction(Workspace& w, int k) {
     if (!(size < before / 2)) fail(w, kNotRefined, 0);
     if (k == kRefine - 1 && !(size < kSmallEnough)) fail(w, kTooFewSteps, 0);
   }
+  if (k == kRefine - 1 && !tells_errors(double(w.energy)))
+    sizes.fill(std::numeric_limits<double>::infinity());
   w.sum = w.answer;
   w.again = true;
 }
@@ -46,8 +42,6 @@ inline void begin_own_correction(Workspace& w, int k) {
 inline void end_own_correction(Workspace& w) {
   for (std::size_t k = 0; k < std::size_t(kNv); ++k) w.answer[k] += w.sum[k];
   w.again = false;
-  if (!tells_errors(double(w.energy)))
-    w.refinement.corrections.fill(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -24,8 +23,7 @@ inline void judge_corrections(Workspace& w) {
   double before = 1;
   for (std::size_t k = 0; k < std::size_t(kRefine); ++k) {
     const double part = double(w.energies[2 + k]);
-    double size = part > 0 ? std::numeric_limits<double>::infinity() : 0;
-    if (answer > 0) size = std::sqrt(part / answer);
+    const double size = energy_ratio(part, answer);
     w.refinement.corrections[k] = size;
     if (!(part <= kSettled * kSettled * whole)) {
       if (!(size < before / 2)) fail(w, kNotRefined, 0);
