@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import long_note
+from adagen.cli.options import profile
 from adagen.cli.parser import Parser, among, listed, make_parser, parse, whole
 from adagen.cli.scale import add_scale, check_scale, give, run_scale
 from adagen.cli.tables import table_of
@@ -70,6 +71,7 @@ def command_parser() -> Parser:
     parser.add_argument("--scene", metavar="FILE", help="scene of the robots: loops, base, ...")
     parser.add_argument(
         "--profile",
+        type=profile,
         default="default",
         metavar="NAME|FILE",
         help="cost profile: a name or a TOML file (default: default)",

@@ -136,14 +136,14 @@ def _measure_network(options: argparse.Namespace, toolchain: Toolchain, path: Pa
 
 
 def _name(text: str) -> str:
-    from adagen.schedule.profile import SHIPPED
+    from adagen.schedule.profile import NATIVE, SHIPPED
 
     if not _NAME.fullmatch(text):
         raise argparse.ArgumentTypeError(
             "must be up to 64 letters, digits, dots, hyphens and underscores, no dot first"
         )
-    if text in SHIPPED:
-        raise argparse.ArgumentTypeError(f"'{text}' is the name of a shipped profile")
+    if text in (*SHIPPED, NATIVE):
+        raise argparse.ArgumentTypeError(f"'{text}' names a shipped profile")
     return text
 
 

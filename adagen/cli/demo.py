@@ -72,7 +72,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _generate(model: Path, processes: int, folder: Path) -> int:
-    words = [str(model), "--floating", "--procs", str(processes), "--out", str(folder)]
+    words = [str(model), "--floating", "--procs", str(processes), "--profile", "native"]
+    words += ["--out", str(folder)]
     # The robot's own path is long; the one shown is what a user would type beside the file.
     note(f"$ adagen {shlex.join([model.name, *words[1:]])}")
     return adagen(words)

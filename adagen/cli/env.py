@@ -19,8 +19,8 @@ MPICXX, MPIEXEC, EIGEN and CXX choose another compiler wrapper, launcher, Eigen
 or compiler; CXXFLAGS is appended to the options.
 
 profile is the shipped one that was measured on a processor like this one, with
-registers of the same width, for --profile; adagen calibrate measures this
-machine's costs."""
+registers of the same width: --profile native takes it. adagen calibrate
+measures this machine's costs."""
 
 
 def command_parser() -> Parser:
@@ -59,12 +59,10 @@ def run(argv: Sequence[str]) -> int:
         print(lines[options.which])
         return 0
 
-    from adagen.build.processor import processor_family
+    from adagen.build.native_profile import native_profile
     from adagen.build.registers import widest_register
-    from adagen.schedule.profile import shipped_for
 
-    register = widest_register(toolchain)
-    profile = shipped_for(register, processor_family())
+    register, profile = widest_register(toolchain), native_profile(toolchain)
     if options.which == "json":
         report: dict[str, object] = {
             "cxx": list(toolchain.cxx),

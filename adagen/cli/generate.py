@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from adagen.cli.console import note, timed, warned, wrote
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
+from adagen.errors import EnvironmentFault
 
 if TYPE_CHECKING:
     from adagen.library import Compiled
@@ -136,7 +137,22 @@ def run(argv: Sequence[str]) -> int:
     else:
         wrote(written)
         note(line)
+    if options.profile == "default" and options.target == "host":
+        _tell_native_profile()
     return 0
+
+
+def _tell_native_profile() -> None:
+    """Say which shipped profile fits this machine, if that is not the default."""
+    from adagen.build.native_profile import profile_named
+    from adagen.schedule.profile import NATIVE
+
+    try:
+        fitting = profile_named(NATIVE)
+    except EnvironmentFault:
+        return  # there is no compiler here: the solver is for another machine
+    if fitting != "default":
+        note(f"profile {fitting} fits this processor better: --profile {NATIVE} takes it")
 
 
 def _report(made: Compiled, written: Sequence[Path]) -> dict[str, Any]:

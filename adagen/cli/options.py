@@ -119,10 +119,11 @@ def add_schedule(parser: Parser) -> None:
     )
     group.add_argument(
         "--profile",
+        type=profile,
         default="default",
         metavar="NAME|FILE",
-        help="cost profile: default, xeon, zen4, avx2, paper, one that adagen calibrate has "
-        "stored, or a TOML file",
+        help="cost profile: default, xeon, zen4, avx2, native (the one of these that fits this "
+        "machine), paper, one that adagen calibrate has stored, or a TOML file",
     )
     group.add_argument(
         "--schedule",
@@ -347,6 +348,13 @@ def _argument(text: str) -> tuple[str, str]:
     if not (name and sign):
         raise argparse.ArgumentTypeError(f"not NAME:=VALUE: {text!r}")
     return name, value
+
+
+def profile(text: str) -> str:
+    """Return the name of a cost profile, or its file; of native, that of the one that fits."""
+    from adagen.build.native_profile import profile_named
+
+    return profile_named(text)
 
 
 def _processes(text: str) -> int:

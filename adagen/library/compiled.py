@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from adagen.build.native_profile import profile_named
 from adagen.cost import timeline
 from adagen.drawing import draw
 from adagen.emit import emit, program_of
@@ -30,12 +31,16 @@ def compile(robot: Robot, procs: int = 1, **asked: Any) -> Compiled:  # noqa: A0
     Args:
         robot: as ``adagen.read`` returns it.
         procs: processes that share the robot; ``build`` takes one.
-        asked: further members of ``Request``, such as ``scalar="float"`` or ``batch=True``.
+        asked: further members of ``Request``, such as ``scalar="float"`` or ``batch=True``;
+            ``profile="native"`` is the shipped profile that fits this machine.
 
     Raises:
         InputError: the robot cannot be solved in this way.
         UsageError: an option is unknown or cannot be combined with the others.
+        EnvironmentFault: there is no compiler that tells which profile fits.
     """
+    if "profile" in asked:
+        asked["profile"] = profile_named(asked["profile"])
     try:
         request = Request(procs=procs, **asked)
     except TypeError as error:

@@ -26,6 +26,8 @@ Processor = tuple[str, int]
 """Maker and family, as x86 processors tell them."""
 SHIPPED = ("default", "xeon", "zen4", "avx2", "paper")
 """Names of the profiles that come with adagen."""
+NATIVE = "native"
+"""Stands for the one of these that fits the machine."""
 
 _LIMIT = 1e6  # microseconds; keeps every sum far below 2^63 ticks
 _COEFFICIENTS = ("alpha", "beta", "gamma", "delta")
@@ -149,7 +151,7 @@ def profile_text(name: str) -> tuple[str, str]:
     try:
         return own.read_bytes().decode("utf-8"), str(own)
     except FileNotFoundError:
-        known = ", ".join(dict.fromkeys((*SHIPPED, *stored_profiles())))
+        known = ", ".join(dict.fromkeys((*SHIPPED, NATIVE, *stored_profiles())))
         raise UsageError(
             f"no cost profile '{name}': give a TOML file or one of {known}; adagen calibrate "
             "measures this machine's"

@@ -33,7 +33,10 @@ def test_it_generates_builds_runs_and_sums_up(
         assert row[7] == "right"
     assert "build/demo/arm/p2/arm_p2.svg" in told.out
     assert (tmp_path / "build/demo/arm/p2/arm_p2.svg").is_file()
-    assert "$ adagen arm.urdf --floating --procs 2 --out build/demo/arm/p2" in told.err
+    assert (
+        "$ adagen arm.urdf --floating --procs 2 --profile native --out build/demo/arm/p2"
+        in told.err
+    )
 
 
 def test_two_processes_pay_for_the_snake() -> None:

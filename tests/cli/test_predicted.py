@@ -144,7 +144,7 @@ def test_stored_profiles_are_found_by_name(
     arm = write_arm(tmp_path / "arm.urdf")
     for name, status in (("machine", 0), ("default", 0), ("other", 2)):
         assert main(["schedule", str(arm), "--procs", "1", "--profile", name]) == status
-    assert "one of default, xeon, zen4, avx2, paper, machine;" in capsys.readouterr().err
+    assert "one of default, xeon, zen4, avx2, paper, native, machine;" in capsys.readouterr().err
 
 
 def test_the_same_time_is_told_everywhere(
