@@ -90,7 +90,7 @@ class _Measured:
         stepwise: of programs that go step by step.
         straight: of straight lines of statements, each in the faster order.
         batches: of batches; times are of one state.
-        urgent: statements up to which that is by what waits.
+        urgent: values up to which that is by what waits.
         channels: times of messages; None with one core.
         speeds: of the cores; () if they are alike.
         sizes: coefficients that are sizes of caches and registers.

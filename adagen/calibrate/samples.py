@@ -138,7 +138,7 @@ TOGETHER = (("crab", "gathered"), ("figure", "gathered"), ("line", "gathered"))
 """Robots and schedules of straight lines on two processes, which tell what it takes to meet."""
 
 ORDERS = (LIMIT, 0.0)
-"""Statements of the longest line that is ordered by what waits: straight lines are timed with each
+"""Values of the longest line that is ordered by what waits: straight lines are timed with each
 of these, since the faster order depends on how many registers hold what is alive."""
 
 
@@ -284,7 +284,7 @@ def in_order(profile: CostProfile, urgent: float, cache: float) -> CostProfile:
 
     Args:
         profile: the rest of it.
-        urgent: statements of the longest line that is ordered by what waits.
+        urgent: values of the longest line that is ordered by what waits.
         cache: bytes of the first instruction cache.
     """
     costs = step_costs(profile)

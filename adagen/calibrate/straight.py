@@ -14,6 +14,8 @@ from adagen.calibrate.fit import SHORT, Sample, huber
 from adagen.calibrate.nnls import nnls
 from adagen.calibrate.samples import ORDERS
 from adagen.cost.straight import straight_stretches
+from adagen.emit.unrolled.arrangement import values_of
+from adagen.executor import simulate
 from adagen.executor.stretches import SINES, WAITS, at_once
 from adagen.program import Program
 from adagen.schedule.costs import LIMIT
@@ -59,7 +61,7 @@ class Timed:
 
 
 def faster_orders(samples: Sequence[Sample]) -> tuple[float, list[Sample]]:
-    """Return up to how many statements lines are faster in the first of ``ORDERS``.
+    """Return up to how many values lines are faster in the first of ``ORDERS``.
 
     Args:
         samples: the same programs in each order, one order after the other.
@@ -83,10 +85,9 @@ def faster_orders(samples: Sequence[Sample]) -> tuple[float, list[Sample]]:
     return urgent, taken(urgent)
 
 
-def longest_line(program: Program) -> float:
-    """Return the statements of the process that has the most."""
-    lines = straight_stretches(program, 0.0)
-    return max(sum(part.fetched for part in own) for own in lines)
+def longest_line(program: Program) -> int:
+    """Return the values of the process that has the most."""
+    return max(len(values_of(one)) for one in simulate(program.plan, program.slots.limbs))
 
 
 def timed_stretches(samples: Sequence[Sample]) -> list[Timed]:

@@ -18,7 +18,7 @@ from adagen.executor.straight import (
     simulate,
     straight_line,
 )
-from adagen.executor.stretches import Stretch, at_once, statements, stretches, work_of
+from adagen.executor.stretches import Stretch, at_once, stretches, work_of
 from adagen.executor.swept import KEPT, Swept
 
 __all__ = [
@@ -39,7 +39,6 @@ __all__ = [
     "groupings",
     "interpret",
     "simulate",
-    "statements",
     "straight_line",
     "stretches",
     "work_of",

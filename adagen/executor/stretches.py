@@ -80,8 +80,8 @@ def work_of(operations: Operations, held: float) -> dict[str, float]:
     }
 
 
-def statements(features: Mapping[str, float]) -> float:
-    """Return how many statements there are, by how often each coefficient counts."""
+def _statements(features: Mapping[str, float]) -> float:
+    """How many statements there are, by how often each coefficient counts."""
     return features["unrolled.operation"] + features["unrolled.move"]
 
 
@@ -123,7 +123,7 @@ def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list
         if op in _COMPUTED:
             counts[here][mark] = counts[here].get(mark, 0) + 1
     work = work_of(simulated.operations, held)
-    line = 0.0 if isinf(held) else statements(work)
+    line = 0.0 if isinf(held) else _statements(work)
     swept = simulated.machine.swept
     if swept is not None:
         line += STATEMENTS

@@ -87,9 +87,9 @@ OTHERS: dict[str, tuple[str, ...]] = {
 """Groups with coefficients of their own, times but for nine.
 
 ``process.tangent`` is added for every rate of a joint with friction, in loops and straight lines.
-``slaved.column`` and ``process.margin`` are shares, ``unrolled.held``, ``unrolled.fits`` and
-``unrolled.urgent`` are numbers of statements, ``unrolled.cache`` is the size of a core's first
-instruction cache in bytes, ``process.cache`` that of its second-level cache
+``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` and ``unrolled.fits`` are
+numbers of statements, ``unrolled.urgent`` is one of values, ``unrolled.cache`` is the size of a
+core's first instruction cache in bytes, ``process.cache`` that of its second-level cache
 (adagen/schedule/caches.py), ``process.register`` that of its widest registers, and
 ``unrolled.ahead`` is how many values are looked at for those that others wait for
 (adagen/emit/unrolled/order.py).
@@ -98,7 +98,7 @@ instruction cache in bytes, ``process.cache`` that of its second-level cache
 ``fetched`` is added for each statement beyond those whose decoded instructions are held, and
 ``evicted`` for each statement of a line that the first instruction cache does not fit: from
 beginning to end, its instructions displace those that come next. Lines of up to ``urgent``
-statements are ordered by what waits, longer ones by step.
+values are ordered by what waits, longer ones by step.
 """
 
 ASSUMED = {

@@ -2,7 +2,7 @@
 // robot     "fourbar", 3 joints, 3 degrees of freedom, description sha256 4800d9bbec7e9c8eaf1d028c5dcc2b2c9b4ac7410509da822ae29051a7391834
 // command   adagen ../models/fourbar.urdf --scene=../models/fourbar.toml --procs 1
 // input     scene, sha256 0325233a36e76e4c778daddeedd8a5bf9b6954f1680ed02dfb94e4ffe29019ee
-// input     profile default, sha256 c921c373efa20f5f5a2c72c5ca2db243c51813f8c37a399fe2f79197dfb4e30c
+// input     profile default, sha256 fe36af9ff4727e4941af0e7182db7f87cd64c54109bc287302f720e9ad83c3a8
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes fourbar_p1.h
 // program   1 process; 0.0538 us predicted (default profile)

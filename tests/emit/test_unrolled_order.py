@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen.emit.unrolled.arrangement import values_of
 from adagen.emit.unrolled.order import (
     LIMIT,
     LIMIT_OF_BATCHES,
@@ -21,7 +22,7 @@ from adagen.emit.unrolled.order import (
     in_functions,
     limit_of_functions,
 )
-from adagen.executor import simulate, statements, work_of
+from adagen.executor import simulate
 from adagen.graph import Graph, live_nodes
 from adagen.plan import make_plan
 from adagen.plan.steps import Kinematics
@@ -182,11 +183,11 @@ def test_a_profile_may_keep_the_order_of_steps() -> None:
 
 def test_long_lines_may_keep_the_order_of_steps_where_short_ones_do_not() -> None:
     (short,), (long,) = (simulate(plan_of(serial_chain(n), 1)) for n in (3, 9))
-    between = sum(statements(work_of(one.operations, 0.0)) for one in (short, long)) / 2
-    costs = replace(COSTS, table={**COSTS.table, "unrolled.urgent": between})
-    assert Pace.of(short.operations, 1, costs).ahead == AHEAD
-    assert Pace.of(long.operations, 1, costs).ahead == 0
-    assert Pace.of(long.operations, 1, COSTS).ahead == AHEAD
+    few, many = len(values_of(short)), len(values_of(long))
+    costs = replace(COSTS, table={**COSTS.table, "unrolled.urgent": float(few)})
+    assert Pace.of(short.operations, few, costs).ahead == AHEAD
+    assert Pace.of(long.operations, many, costs).ahead == 0
+    assert Pace.of(long.operations, many, COSTS).ahead == AHEAD
 
 
 def test_long_lines_have_short_functions() -> None:

@@ -86,8 +86,7 @@ def arranged(
     done = 0
     last_work: int | None = None
     stretches: dict[int, Stretch] = {}
-    nodes = machine.graph.nodes
-    alive = [k for k in simulated.alive if nodes[k].op != "constant" and not is_given(nodes[k])]
+    alive = values_of(simulated)
     pace = None if costs is None else Pace.of(simulated.operations, len(alive), costs)
     short = machine.swept is not None
     longest = longest or limit_of_functions(len(alive), pace, short=short)
@@ -115,6 +114,12 @@ def arranged(
     if costs is None:
         compute_again(machine.graph, chunks, {root.index for root in machine.roots()})
     return Arrangement(stretches, _assign_places(machine, chunks, turns, kept), turns, after)
+
+
+def values_of(simulated: Simulated) -> list[int]:
+    """Return the indices of what a process computes, or gets in messages."""
+    nodes = simulated.machine.graph.nodes
+    return [k for k in simulated.alive if nodes[k].op != "constant" and not is_given(nodes[k])]
 
 
 def _waiting(machine: Machine, alive: Sequence[int]) -> set[int]:

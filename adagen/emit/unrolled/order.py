@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 from math import inf
 
-from adagen.executor import statements, work_of
+from adagen.executor import work_of
 from adagen.graph import Graph, Operations
 from adagen.plan.steps import Kinematics, LinkBias, StartLink
 from adagen.plan.types import Process
@@ -60,10 +60,9 @@ class Pace:
     @staticmethod
     def of(operations: Operations, values: int, costs: StepCosts) -> Pace:
         """Return the pace of a process with so many values."""
-        counts = work_of(operations, costs["unrolled.held"])
-        urgent = statements(counts) <= costs["unrolled.urgent"]
+        urgent = values <= costs["unrolled.urgent"]
         return Pace(
-            costs.total(counts) / max(1, values),
+            costs.total(work_of(operations, costs["unrolled.held"])) / max(1, values),
             costs["unrolled.cycle"],
             costs["unrolled.cache"],
             costs["unrolled.ahead"] if urgent else 0.0,
