@@ -152,7 +152,8 @@ def _tell_native_profile() -> None:
     except EnvironmentFault:
         return  # there is no compiler here: the solver is for another machine
     if fitting != "default":
-        note(f"profile {fitting} fits this processor better: --profile {NATIVE} takes it")
+        measured = f"profile {fitting} was measured on a processor more like this one"
+        note(f"{measured}: --profile {NATIVE} takes it")
 
 
 def _report(made: Compiled, written: Sequence[Path]) -> dict[str, Any]:

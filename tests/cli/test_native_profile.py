@@ -26,7 +26,7 @@ def test_native_stands_for_the_profile_that_fits_what_is_built(
     assert solver.request.profile == "avx2"
     for name in ("native", "avx2"):
         assert main([str(arm), "--profile", name, "--out", str(tmp_path / name)]) == 0
-        assert "fits this processor" not in said()[1]
+        assert "more like this one" not in said()[1]
     first, second = ((tmp_path / name / "arm_p1.cpp") for name in ("native", "avx2"))
     assert "--profile=avx2" in first.read_text()  # so that it is made again anywhere
     assert first.read_bytes() == second.read_bytes()
@@ -36,7 +36,7 @@ def test_native_stands_for_the_profile_that_fits_what_is_built(
 def test_a_default_that_fits_less_is_told(
     arm: Path, tmp_path: Path, said: Said, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    told = "profile avx2 fits this processor better: --profile native takes it"
+    told = "profile avx2 was measured on a processor more like this one: --profile native takes it"
     words = [str(arm), "--out", str(tmp_path / "out")]
     monkeypatch.setenv("CXXFLAGS", "-march=x86-64-v3")
     assert main(words) == 0 and told in said()[1]
@@ -51,3 +51,8 @@ def test_every_fitting_profile_is_a_shipped_one(arm: Path, said: Said) -> None:
     assert main(["schedule", str(arm), "--profile", "native"]) == 0
     out, _ = said()
     assert any(f"({name} profile)" in out for name in SHIPPED)
+
+
+def test_no_measured_profile_has_its_name(said: Said) -> None:
+    assert main(["calibrate", "--name", "native"]) == 2
+    assert "'native' names a shipped profile" in said()[1]
