@@ -152,8 +152,7 @@ def _tell_native_profile() -> None:
     except EnvironmentFault:
         return  # there is no compiler here: the solver is for another machine
     if fitting != "default":
-        measured = f"profile {fitting} was measured on a processor more like this one"
-        note(f"{measured}: --profile {NATIVE} takes it")
+        note(f"this processor is more like that of profile {fitting}: --profile {NATIVE} takes it")
 
 
 def _report(made: Compiled, written: Sequence[Path]) -> dict[str, Any]:

@@ -26,7 +26,7 @@ def test_native_stands_for_the_profile_that_fits_what_is_built(
     assert solver.request.profile == "avx2"
     for name in ("native", "avx2"):
         assert main([str(arm), "--profile", name, "--out", str(tmp_path / name)]) == 0
-        assert "more like this one" not in said()[1]
+        assert "this processor is more like" not in said()[1]
     first, second = ((tmp_path / name / "arm_p1.cpp") for name in ("native", "avx2"))
     assert "--profile=avx2" in first.read_text()  # so that it is made again anywhere
     assert first.read_bytes() == second.read_bytes()
@@ -36,7 +36,7 @@ def test_native_stands_for_the_profile_that_fits_what_is_built(
 def test_a_default_that_fits_less_is_told(
     arm: Path, tmp_path: Path, said: Said, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    told = "profile avx2 was measured on a processor more like this one: --profile native takes it"
+    told = "this processor is more like that of profile avx2: --profile native takes it"
     words = [str(arm), "--out", str(tmp_path / "out")]
     monkeypatch.setenv("CXXFLAGS", "-march=x86-64-v3")
     assert main(words) == 0 and told in said()[1]
