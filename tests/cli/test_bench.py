@@ -65,7 +65,7 @@ def test_more_processes_than_cores_are_timed_by_their_stretches(arm: Path) -> No
     finally:
         os.sched_setaffinity(0, allowed)
     assert [row.what for row in found.rows] == ["stretches", "stretches_through_root"]
-    assert all(row.played and 0 < row.least <= row.median < 1e6 for row in found.rows)
+    assert all(row.played and 0 < row.least <= row.median for row in found.rows)
     assert found.timed("adagen", processes=2) is found.rows[0]
 
 

@@ -89,7 +89,7 @@ def test_an_example_tells_what_its_processes_compute(stem: str, builder: Builder
     assert (done.status, done.stderr) == (0, "")
     time = json.loads(done.stdout)["time"]
     assert time["source"] == "stretches" and len(time["work_ns"]) == BY_STEM[stem].processes
-    assert 0 < time["in_place"]["min_ns"] <= time["in_place"]["median_ns"] < 1e6
+    assert 0 < time["in_place"]["min_ns"] <= time["in_place"]["median_ns"]
 
 
 def test_the_makefile_builds_and_checks_every_example(builder: Builder) -> None:

@@ -261,7 +261,7 @@ def test_bomb_is_refused_at_once(refusal: Refusal) -> None:
     text = f'<!DOCTYPE robot [{entities}]>\n<robot name="b"><link name="&j;"/></robot>'
     start = time.monotonic()
     assert "DTD" in refusal(text)
-    assert time.monotonic() - start < 1.0
+    assert time.monotonic() - start < 10.0  # expanded it has 5e12 characters
 
 
 def test_many_attributes_take_no_quadratic_time(read: Read) -> None:
