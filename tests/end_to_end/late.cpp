@@ -30,8 +30,8 @@ int main() {
   std::printf("fine %d\n", late.solve() == 0);
   std::this_thread::sleep_for(std::chrono::milliseconds(20));  // the others sleep now
   std::fill_n(late.qdd, kNv, Number(7));
-  late.solver->channel.open(0, late.solver->slots_, std::chrono::milliseconds(1));
-  for (auto& member : late.solver->members_)
+  late.solver->channel.open(0, late.solver->team_->slots, std::chrono::milliseconds(1));
+  for (auto& member : late.solver->team_->members_)
     if (member.thread.joinable()) pthread_kill(member.thread.native_handle(), SIGUSR1);
   std::this_thread::sleep_for(std::chrono::milliseconds(5));  // they are in the handler
   const int status = late.solve();

@@ -7,6 +7,7 @@ import re
 import subprocess
 import time
 from dataclasses import replace
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -147,6 +148,12 @@ def test_a_late_thread_leaves_the_callers_memory_alone(builder: Builder) -> None
     assert rest == ["later 1", "closed"]
 
 
+def test_a_process_that_is_forked_has_threads_of_its_own(builder: Builder) -> None:
+    """A copy has none of the threads: it waited for answers, and then for their ends, for ever."""
+    program = builder.compile(solver_and("fork.cpp", "gathered"), "forked", (*FLAGS, "-pthread"))
+    assert run(program) == "0 0 0 0 0\n" * 2 + "0\n"
+
+
 def test_threads_take_nothing_from_the_heap_once_they_are_open(builder: Builder) -> None:
     text = solver_and("heap.cpp", "gathered", OPEN="SOLVER_open_threads(nullptr, 20)")
     flags = (*FLAGS, "-fno-builtin-malloc", "-pthread")
@@ -159,6 +166,14 @@ def test_python_calls_threads() -> None:
     chain = random_states(robot.model, 5, seed=2)
     found = solver(chain.q, chain.v, chain.tau)
     assert forward_error(found, truth_of(robot.model, chain)) < ROUNDING["double"]
+
+    def solved_again() -> None:
+        raise SystemExit(int(not np.array_equal(solver(chain.q, chain.v, chain.tau), found)))
+
+    copy = get_context("fork").Process(target=solved_again)  # without the solver's threads
+    copy.start()
+    copy.join(20)
+    assert copy.exitcode == 0
     with pytest.raises(UsageError, match=r'compile with procs=1, or channel="threads"'):
         compiled(robot, procs=2, form="ada", shape="joints").build()
 
