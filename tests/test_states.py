@@ -14,10 +14,10 @@ from adagen.errors import EnvironmentFault, InputError
 from adagen.model import PLANAR, PRISMATIC, REVOLUTE, Model
 from adagen.states import (
     States,
+    StatesFile,
     random_states,
     read_result,
     read_states,
-    states_gravity,
     write_states,
 )
 from tests.models import human_figure, random_tree, serial_chain
@@ -56,7 +56,7 @@ def test_states_read_back_bit_by_bit(seed: int, tmp_path: Path) -> None:
     for one, other in ((states.q, back.q), (states.v, back.v), (states.tau, back.tau)):
         np.testing.assert_array_equal(one, other)
     assert back.count == 3
-    gravity = states_gravity(tmp_path / "s.json")
+    gravity = StatesFile.read(tmp_path / "s.json").gravity
     assert gravity is not None
     np.testing.assert_array_equal(gravity, model.gravity)
 
@@ -104,7 +104,7 @@ def test_a_number_or_a_list_of_one(tmp_path: Path) -> None:
     states = read_states(written(tmp_path, {"joints": joints}), model)
     np.testing.assert_array_equal(states.q, [[1, 3], [2.5, 4]])
     np.testing.assert_array_equal(states.tau, [[0, 0], [-1e-3, 0]])
-    assert states_gravity(tmp_path / "states.json") is None
+    assert StatesFile.read(tmp_path / "states.json").gravity is None
 
 
 def test_files_of_true_answers_are_states(shared: Path, tmp_path: Path) -> None:
@@ -214,10 +214,10 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot read"):
         read_states(tmp_path / "none.json", serial_chain(1))
     with pytest.raises(InputError, match="cannot read"):
-        states_gravity(tmp_path)
+        StatesFile.read(tmp_path)
     (tmp_path / "binary").write_bytes(b"\x89PNG\xff")
     with pytest.raises(InputError, match="not UTF-8"):
-        states_gravity(tmp_path / "binary")
+        StatesFile.read(tmp_path / "binary")
 
 
 def test_a_floating_state_for_a_fixed_robot(tmp_path: Path) -> None:

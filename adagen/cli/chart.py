@@ -72,18 +72,19 @@ def _chart(options: argparse.Namespace) -> None:
 def _given(options: argparse.Namespace) -> tuple[Model, int | States]:
     """The robot, and its states: how many are to be drawn, or those of a file."""
     from adagen.cli import pipeline
-    from adagen.states import read_states, states_gravity
+    from adagen.states import StatesFile
 
-    file, gravity = options.states, options.gravity
-    if isinstance(file, str) and (found := states_gravity(file)) is not None:
-        gravity = found.tolist()
+    given, gravity = options.states, options.gravity
+    file = StatesFile.read(given) if isinstance(given, str) else None
+    if file is not None and file.gravity is not None:
+        gravity = file.gravity.tolist()
     model = pipeline.read_model(options, Stages(), gravity)
     if model.wanted or model.outputs:
         raise UsageError(
             "charts compare all accelerations, and nothing else: leave accelerations and [outputs]"
             " out of the scene"
         )
-    return model, read_states(file, model) if isinstance(file, str) else file
+    return model, given if file is None else file.states(model)
 
 
 def _redraw(path: Path, options: argparse.Namespace) -> None:

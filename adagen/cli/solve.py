@@ -39,7 +39,11 @@ def command_parser() -> Parser:
     add_schedule(parser)
     add_emission(parser)
     parser.add_argument(
-        "--states", type=Path, required=True, metavar="FILE", help="states to solve for (JSON)"
+        "--states",
+        type=Path,
+        required=True,
+        metavar="FILE",
+        help="states to solve for (JSON); - is standard input",
     )
     parser.add_argument(
         "--result", type=Path, metavar="FILE", help="where to write (default: standard output)"
@@ -73,14 +77,15 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
     from adagen.build.toolchain import with_compiler
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
-    from adagen.states import read_states, states_gravity
+    from adagen.states import StatesFile
 
-    gravity = states_gravity(options.states)
+    file = StatesFile.read(options.states)
+    gravity = file.gravity
     model = pipeline.read_model(options, stages, None if gravity is None else gravity.tolist())
     with stages.stage("states"):
         reduction = getattr(options, "reduction", None)  # refused before anything is built
         missing = None if reduction is None else reduction.why_missing
-        states = read_states(options.states, model, missing)
+        states = file.states(model, missing)
     made = pipeline.generate(model, options, stages)
     with stages.stage("build"):
         toolchain = with_compiler(find_toolchain(), made.request.compiler)

@@ -10,19 +10,19 @@ gives force (N) and moment (N m) at the link's origin in its axes, for each stat
 
 from __future__ import annotations
 
-from adagen.states.read import read_result, read_states, states_gravity
+from adagen.states.read import StatesFile, read_result, read_states
 from adagen.states.sampling import hardened, random_states, resting_states
 from adagen.states.types import States
 from adagen.states.write import states_text, write_states
 
 __all__ = [
     "States",
+    "StatesFile",
     "hardened",
     "random_states",
     "read_result",
     "read_states",
     "resting_states",
-    "states_gravity",
     "states_text",
     "write_states",
 ]

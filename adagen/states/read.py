@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -17,16 +19,66 @@ from adagen.states.types import FIELDS, Array, States, columns, fields_of, wrenc
 
 MEMBERS = ("floating", "gravity", "forces", "joints")
 TOLERATED = ("type", "qdd")  # a file of true answers has these beside the fields
+WhyMissing = Callable[[str], str | None]
 _NORM = 1e-3  # how far a quaternion may be from unit length
 
 
-def read_states(
-    path: Path | str, model: Model, why_missing: Callable[[str], str | None] | None = None
-) -> States:
+@dataclass(frozen=True)
+class StatesFile:
+    """A states file, read once: it may be a pipe, whose text is there only once.
+
+    Attributes:
+        path: the file.
+        document: its one JSON object.
+    """
+
+    path: str
+    document: dict[str, Any]
+
+    @classmethod
+    def read(cls, path: Path | str) -> StatesFile:
+        """Read a file; - is standard input.
+
+        Raises:
+            InputError: the file cannot be read or is not JSON.
+        """
+        path = str(path)
+        with _refused_in(path):
+            return cls(path, load_object("/dev/stdin" if path == "-" else path, MEMBERS))
+
+    @property
+    def gravity(self) -> Array | None:
+        """Its gravity, shape (3,), m/s^2, or None where it says nothing.
+
+        Raises:
+            InputError: it is not three numbers.
+        """
+        with _refused_in(self.path):
+            return _gravity(self.document)
+
+    def states(self, model: Model, why_missing: WhyMissing | None = None) -> States:
+        """Return its states of a model, as :func:`read_states` does."""
+        with _refused_in(self.path):
+            _gravity(self.document)
+            joints = as_object(self.document.get("joints"), "'joints'")
+            _check_floating(self.document.get("floating"), model)
+            _check_names(joints, model, why_missing=why_missing)
+            count = _count(joints)
+            size = {"q": model.nq, "v": model.nv, "tau": model.ntau}
+            states = States(*(np.zeros((count, size[name])) for name in FIELDS))
+            for j, joint in enumerate(model.joints):
+                if joint.name in joints:
+                    _read_joint(joints[joint.name], model, j, states)
+            _read_forces(self.document.get("forces"), model, states)
+            follow_sources(states, model, joints)
+        return states
+
+
+def read_states(path: Path | str, model: Model, why_missing: WhyMissing | None = None) -> States:
     """Read a states file.
 
     Args:
-        path: the file.
+        path: the file; - is standard input.
         model: whose joints it must give, all of them; slaved ones may be left out.
         why_missing: says why the model lacks a joint of the robot, if it knows.
 
@@ -34,35 +86,16 @@ def read_states(
         InputError: the file cannot be read, is not JSON, or says anything that is not a state of
             this model; the message names the joint and says what to do.
     """
+    return StatesFile.read(path).states(model, why_missing)
+
+
+@contextmanager
+def _refused_in(path: str) -> Iterator[None]:
+    """Name the file in what is refused of it."""
     try:
-        document = load_object(path, MEMBERS)
-        _gravity(document)
-        joints = as_object(document.get("joints"), "'joints'")
-        _check_floating(document.get("floating"), model)
-        _check_names(joints, model, why_missing=why_missing)
-        count = _count(joints)
-        size = {"q": model.nq, "v": model.nv, "tau": model.ntau}
-        states = States(*(np.zeros((count, size[name])) for name in FIELDS))
-        for j, joint in enumerate(model.joints):
-            if joint.name in joints:
-                _read_joint(joints[joint.name], model, j, states)
-        _read_forces(document.get("forces"), model, states)
-        follow_sources(states, model, joints)
+        yield
     except Refusal as refusal:
-        raise InputError(str(refusal), str(path), refusal.line) from None
-    return states
-
-
-def states_gravity(path: Path | str) -> Array | None:
-    """Return the states file's gravity, shape (3,), m/s^2, or None where it says nothing.
-
-    Raises:
-        InputError: the file cannot be read, is not JSON, or its gravity is not three numbers.
-    """
-    try:
-        return _gravity(load_object(path, MEMBERS))
-    except Refusal as refusal:
-        raise InputError(str(refusal), str(path), refusal.line) from None
+        raise InputError(str(refusal), path, refusal.line) from None
 
 
 def read_result(path: Path | str, model: Model) -> Array:

@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 import math
 import re
+import subprocess
+import sys
 from pathlib import Path
+from subprocess import PIPE
 
 import numpy as np
 import pytest
@@ -15,7 +18,7 @@ from adagen.library import Origin
 from adagen.library.robot import read_whole
 from adagen.states import random_states, write_states
 from tests.cli.robots import BALL
-from tests.urdf.texts import joint, link, robot
+from tests.urdf.texts import Y, joint, link, robot
 
 
 def solved(shape: str, folder: Path) -> tuple[int, Path]:
@@ -43,6 +46,28 @@ def test_answers_without_sure_digits_are_told(
     assert "digits of the accelerations" not in capsys.readouterr().err
     line = json.loads(result.read_text())["joints"]["along"]["qdd"]
     assert 1e-9 < np.abs(np.subtract(loops, line)).max() / np.abs(line).max() < 1e-1
+
+
+@pytest.mark.parametrize("name", ["-", "/dev/fd/0"])
+def test_states_may_come_through_a_pipe(tmp_path: Path, name: str) -> None:
+    """Their text is there once, and gravity and states are in it."""
+    path, arm, slow = (tmp_path / name for name in ("arm.urdf", "arm.json", "moon.json"))
+    path.write_text(robot(link("a"), link("b"), joint("j", "a", "b", inside=Y)))
+    model = read_whole(Origin(path, False, False, False, None, None))[0].model
+    write_states(random_states(model, 3, seed=1), model, arm)
+    slow.write_text(arm.read_text().replace("-9.81", "-1.62"))
+    answers = []
+    for given in (arm, slow):
+        words = ["solve", str(path), "--procs", "1", "--states", name]
+        command = [sys.executable, "-m", "adagen", *words]
+        with given.open() as pipe, subprocess.Popen(["cat"], stdin=pipe, stdout=PIPE) as cat:
+            done = subprocess.run(command, stdin=cat.stdout, capture_output=True, text=True)
+        assert (done.returncode, done.stderr) == (0, "")
+        from_file = tmp_path / "file.json"
+        assert main([*words[:-1], str(given), "--result", str(from_file)]) == 0
+        assert done.stdout == from_file.read_text()
+        answers.append(done.stdout)
+    assert answers[0] != answers[1]
 
 
 def test_a_quiet_command_says_why_it_fails(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +38,18 @@ class TestInput:
         good = states_text(one.model, one.states(), tmp_path)
         path = spoil(Spoilt("nothing", ""), good, one.model.joints[0].name, tmp_path)
         assert one.solver.run("--states", path).status == 0
+
+    @pytest.mark.parametrize("name", ["-", "/dev/stdin"])
+    def test_states_may_come_through_a_pipe(
+        self, name: str, builder: Builder, tmp_path: Path
+    ) -> None:
+        one = subject("arm7_p1", builder, tmp_path)
+        given = tmp_path / "given.json"
+        write_states(one.states(), one.model, given)
+        command = [str(one.solver.executable), "--states", name]
+        done = subprocess.run(command, input=given.read_text(), capture_output=True, text=True)
+        assert (done.returncode, done.stderr) == (0, "")
+        assert done.stdout.strip() == one.solver.run("--states", given).stdout.strip()
 
     def test_a_bad_file_on_several_processes_is_one_line_too(self, human: Subject) -> None:
         path = human.folder / "s.json"

@@ -38,7 +38,8 @@ struct Options {
 enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
 
 const char* const kUsageText =
-    "  --states FILE     solve the states in this file (JSON, joints by name)\n"
+    "  --states FILE     solve the states in this file (JSON, joints by name); - is\n"
+    "                    standard input\n"
     "  --result FILE     where to write accelerations (default: standard output)\n"
     "  --check           check the answers to the given or random states: backward\n"
     "                    error by an independent inverse dynamics; right digits\n"

@@ -109,7 +109,7 @@ States random_states(int count, std::uint64_t seed, Solver& solver) {
 int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   int status = kDone;
   if (rank == 0) {
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(path == "-" ? "/dev/stdin" : path, std::ios::binary);
     file.peek();  // tells a folder from a file
     std::ostringstream text;
     if (!file.bad()) text << file.rdbuf();
