@@ -39,7 +39,7 @@ enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
 
 const char* const kUsageText =
     "  --states FILE     solve the states in this file (JSON, joints by name); - is\n"
-    "                    standard input\n"
+    "                    standard input (of one process)\n"
     "  --result FILE     where to write accelerations (default: standard output)\n"
     "  --check           check the answers to the given or random states: backward\n"
     "                    error by an independent inverse dynamics; right digits\n"
@@ -106,6 +106,8 @@ std::string settle(bool simulation_words, Options& options) {
     return "a batch solver has neither --simulate nor --trace nor --stretches";
   if (about.threads > 1 && (!options.trace.empty() || options.stretches))
     return "a solver of threads has neither --trace nor --stretches: emit it for channel window";
+  if (about.processes > 1 && options.states == "-")  // Open MPI 5 passes it on, but not its end
+    return "standard input is for solvers of one process: give a file of states";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())

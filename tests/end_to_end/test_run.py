@@ -183,6 +183,7 @@ class TestUsage:
             (["--tolerance", "inf"], "--tolerance takes"),
             (["--channel", "pigeon"], "--channel takes auto, window or message"),
             (["--states", "s.json", "--json"], "--json needs --result"),
+            (["--states", "-"], "standard input is for solvers of one process"),
         ],
     )
     def test_a_wrong_command_line_is_status_2_and_one_line(
