@@ -184,6 +184,7 @@ class TestUsage:
             (["--channel", "pigeon"], "--channel takes auto, window or message"),
             (["--states", "s.json", "--json"], "--json needs --result"),
             (["--states", "-"], "standard input is for solvers of one process"),
+            (["--states", "/dev/stdin"], "standard input is for solvers of one process"),
         ],
     )
     def test_a_wrong_command_line_is_status_2_and_one_line(
