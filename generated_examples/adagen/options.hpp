@@ -106,7 +106,7 @@ std::string settle(bool simulation_words, Options& options) {
     return "a batch solver has neither --simulate nor --trace nor --stretches";
   if (about.threads > 1 && (!options.trace.empty() || options.stretches))
     return "a solver of threads has neither --trace nor --stretches: emit it for channel window";
-  // Open MPI 5 passes it on, but not its end.
+  // mpiexec of Open MPI 5 passes standard input on, but not its end: reading would not end.
   if (about.processes > 1 && (options.states == "-" || options.states == "/dev/stdin"))
     return "standard input is for solvers of one process: give a file of states";
   const bool others = options.check || options.time || !options.trace.empty();

@@ -293,7 +293,7 @@ class Solver : public InPlace {
   // In a copy nobody ends the threads, which are not there: who waited for them would hang, and so
   // would who took away the locks that they held.
   void leave_behind() {
-    if (team_ != nullptr && forked()) static_cast<void>(team_.release());
+    if (forked()) static_cast<void>(team_.release());
   }
 
   std::unique_ptr<Team> team_;

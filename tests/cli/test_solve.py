@@ -51,17 +51,19 @@ def test_answers_without_sure_digits_are_told(
 @pytest.mark.parametrize("name", ["-", "/dev/fd/0"])
 def test_states_may_come_through_a_pipe(tmp_path: Path, name: str) -> None:
     """Their text is there once, and gravity and states are in it."""
-    path, arm, slow = (tmp_path / name for name in ("arm.urdf", "arm.json", "moon.json"))
+    path, earth, moon = (tmp_path / file for file in ("arm.urdf", "earth.json", "moon.json"))
     path.write_text(robot(link("a"), link("b"), joint("j", "a", "b", inside=Y)))
     model = read_whole(Origin(path, False, False, False, None, None))[0].model
-    write_states(random_states(model, 3, seed=1), model, arm)
-    slow.write_text(arm.read_text().replace("-9.81", "-1.62"))
+    write_states(random_states(model, 3, seed=1), model, earth)
+    moon.write_text(earth.read_text().replace("-9.81", "-1.62"))
     answers = []
-    for given in (arm, slow):
+    for given in (earth, moon):
         words = ["solve", str(path), "--procs", "1", "--states", name]
         command = [sys.executable, "-m", "adagen", *words]
         with given.open() as pipe, subprocess.Popen(["cat"], stdin=pipe, stdout=PIPE) as cat:
-            done = subprocess.run(command, stdin=cat.stdout, capture_output=True, text=True)
+            done = subprocess.run(
+                command, stdin=cat.stdout, capture_output=True, text=True, timeout=100
+            )
         assert (done.returncode, done.stderr) == (0, "")
         from_file = tmp_path / "file.json"
         assert main([*words[:-1], str(given), "--result", str(from_file)]) == 0

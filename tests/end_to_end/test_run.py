@@ -47,7 +47,9 @@ class TestInput:
         given = tmp_path / "given.json"
         write_states(one.states(), one.model, given)
         command = [str(one.solver.executable), "--states", name]
-        done = subprocess.run(command, input=given.read_text(), capture_output=True, text=True)
+        done = subprocess.run(
+            command, input=given.read_text(), capture_output=True, text=True, timeout=60
+        )
         assert (done.returncode, done.stderr) == (0, "")
         assert done.stdout.strip() == one.solver.run("--states", given).stdout.strip()
 

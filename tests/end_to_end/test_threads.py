@@ -170,7 +170,8 @@ def test_python_calls_threads() -> None:
     def solved_again() -> None:
         raise SystemExit(int(not np.array_equal(solver(chain.q, chain.v, chain.tau), found)))
 
-    copy = get_context("fork").Process(target=solved_again)  # without the solver's threads
+    # The copy has none of the solver's threads; as a daemon it ends with this process if it hangs.
+    copy = get_context("fork").Process(target=solved_again, daemon=True)
     copy.start()
     copy.join(20)
     assert copy.exitcode == 0
