@@ -131,6 +131,7 @@ def test_scenes_that_want_more_or_less_are_certified_as_straight_lines(
     assert "shape kernels cannot be emitted: " in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_two_processes_share_a_long_arm_whose_plain_schedule_tells_motions(tmp_path: Path) -> None:
     arm = adagen.read(write_arm(tmp_path / "arm.urdf", 420))
     plain = adagen.compile(arm, procs=2, parts="none").schedule.gathered

@@ -69,7 +69,7 @@ def test_cases_hold_every_value_and_robot() -> None:
     assert {case["robot"] for case in every} == set(ROBOTS)
 
 
-@pytest.mark.parametrize("part", spread(range(PARTS), 2))
+@pytest.mark.parametrize("part", spread(range(PARTS), 1))
 def test_every_value_alone_is_done(
     part: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -67,7 +67,7 @@ CASES: dict[str, tuple[Callable[[], Model], int, int, str]] = {
 }
 
 
-@pytest.mark.parametrize("case", spread(CASES, 4))
+@pytest.mark.parametrize("case", spread(CASES, 3))
 def test_loops_are_right_near_gimbal_lock_or_refuse(
     case: str, builder: Builder, tmp_path: Path
 ) -> None:
@@ -88,7 +88,7 @@ def test_loops_are_right_near_gimbal_lock_or_refuse(
         assert not result.exists()
 
 
-@pytest.mark.parametrize("case", spread(CASES, 4))
+@pytest.mark.parametrize("case", spread(CASES, 3))
 def test_straight_lines_are_right_down_to_gimbal_lock_and_refuse_there(
     case: str, builder: Builder, tmp_path: Path
 ) -> None:

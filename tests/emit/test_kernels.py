@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -74,8 +75,7 @@ def test_named_schedules_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING["double"]
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (2, 3))])
-@pytest.mark.parametrize("meeting", ["join", "gather"])
+@pytest.mark.parametrize(("seed", "meeting"), spread(product((1, 2, 3), ("gather", "join")), 1))
 def test_trees_of_all_kinds_are_solved(
     seed: int, meeting: str, builder: Builder, tmp_path: Path
 ) -> None:

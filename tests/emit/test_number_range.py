@@ -15,7 +15,7 @@ from adagen.states import States, random_states
 from benchmarks.stability.bounds import Certified, bounded
 from tests.emitted import ROUNDING, Builder, energy_errors, plan_of
 from tests.models import random_tree, serial_chain, shrunk, star
-from tests.slow import all_but
+from tests.slow import all_but, spread
 
 LINE, LOOPS = Certified("unrolled", scalar="float"), Certified("kernels", scalar="float")
 LINES, BATCH = (replace(way, batch=True) for way in (LINE, LOOPS))
@@ -61,7 +61,9 @@ def test_bounds_are_sure_of_nothing_where_hardly_anything_moves(
     assert np.isfinite(found.bounds[:4]).all() and np.isinf(found.bounds[-3:]).all()
 
 
-@pytest.mark.parametrize(("residual", "processes"), [("own", 1), ("wide", 1), ("wide", 2)])
+@pytest.mark.parametrize(
+    ("residual", "processes"), spread([("own", 1), ("wide", 1), ("wide", 2)], 2)
+)
 def test_corrections_are_told_where_hardly_anything_moves(
     residual: str, processes: int, builder: Builder, tmp_path: Path
 ) -> None:

@@ -12,7 +12,7 @@ from tests.emitted import Builder, plan_of
 from tests.slow import spread
 
 
-@pytest.mark.parametrize("name", spread(CASES, 4))
+@pytest.mark.parametrize("name", spread(CASES, 3))
 def test_an_unusual_robot_is_solved(name: str, builder: Builder, tmp_path: Path) -> None:
     require_solved(name, builder, tmp_path)
 

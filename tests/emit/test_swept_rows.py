@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from adagen.build import Toolchain
-from adagen.build.toolchain import STANDARD
+from adagen.build.toolchain import STANDARD, WARNINGS
 from adagen.cost import programmed
 from adagen.cost.straight import straight_stretches
 from adagen.emit import emit, stem_of
@@ -143,10 +143,8 @@ def test_bounds_of_other_compilers(compiler: str, flags: tuple[str, ...], builde
     if shutil.which(compiler) is None:
         pytest.skip(f"{compiler} is not installed")
     model = _humanoid()
-    other = builder.with_compiler(compiler)
-    plan = _in_loop(model)
-    other.compile(_line(plan), stem_of(plan), flags)
-    toolchain = replace(other.toolchain, flags=(*STANDARD, *flags))
+    other = builder.with_compiler(compiler).toolchain
+    toolchain = replace(other, flags=(*STANDARD, *WARNINGS, "-Werror", *flags))
     found = bounded(model, random_states(model, 4, seed=2), [LINE, LOOP], toolchain)
     assert (found[LOOP].ratios <= 1).all()
     np.testing.assert_allclose(found[LOOP].bounds, found[LINE].bounds, rtol=0.3)

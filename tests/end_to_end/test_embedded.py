@@ -82,7 +82,7 @@ def object_of(compiled: adagen.Compiled, builder: Builder, folder: Path) -> Path
     return made
 
 
-@pytest.mark.parametrize("case", all_but(CASES, "quaternions of floats", "panda", "talos"))
+@pytest.mark.parametrize("case", all_but(CASES, "panda", "talos"))
 def test_it_stands_alone_and_answers_as_ever(case: str, builder: Builder, tmp_path: Path) -> None:
     compiled = compiled_for("embedded", case)
     own = {f"own_p1.{end}" for end in ("cpp", "h", "plan.json", "svg")}
@@ -132,10 +132,7 @@ CORTEX_M7 = ("-mcpu=cortex-m7", "-mthumb", "-mfpu=fpv5-d16", "-mfloat-abi=hard")
 
 @pytest.mark.parametrize(
     "case",
-    [
-        case if case in ("arm", "quaternions of floats") else pytest.param(case, marks=SLOW)
-        for case in CASES
-    ],
+    [case if case == "arm" else pytest.param(case, marks=SLOW) for case in CASES],
 )
 def test_a_cortex_m7_answers_as_the_host_does(case: str, builder: Builder, tmp_path: Path) -> None:
     """Emulated, with newlib below it: what it reads and prints are files of the host."""

@@ -79,7 +79,7 @@ def test_what_is_computed_is_true(name: str) -> None:
     assert error < case.magnified * ROUNDING["double"]
 
 
-@pytest.mark.parametrize("k", spread(range(20), 4))
+@pytest.mark.parametrize("k", spread(range(20), 2))
 def test_straight_lines_of_random_robots_are_the_executor(
     k: int, builder: Builder, tmp_path: Path
 ) -> None:

@@ -89,7 +89,9 @@ def some_robot(seed: int) -> Model:
     return with_wrenches(with_effects(tree, rng, "drp"), rng)
 
 
-@pytest.mark.parametrize("seed", all_but(range(9), 3, 4, 6, 7))  # robots that others have, too
+@pytest.mark.parametrize(
+    "seed", all_but(range(9), 3, 4, 5, 6, 7, 8)
+)  # robots that others have, too
 def test_plans_of_a_robot_share_lines_that_would_be_the_same(seed: int) -> None:
     model, rng = some_robot(seed), np.random.default_rng(seed)
     made, every = set[int](), 0

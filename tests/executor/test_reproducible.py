@@ -58,7 +58,7 @@ def any_robot(seed: int) -> Model:
 @pytest.mark.parametrize(
     ("seed", "scalar"),
     [
-        *((seed, "double") for seed in range(8)),
+        *spread([(seed, "double") for seed in range(8)], 4),
         *spread([(seed, "float") for seed in range(8)], 2),
     ],
 )

@@ -87,7 +87,8 @@ def test_without_constants_to_fold_not_a_bit_changes(
         (found,) = evaluate([built(plain, Graph())], inputs, lambda x: float(fraction(x)))
     except ZeroDivisionError:
         return
-    assert found == expected or (found != found and expected != expected) or abs(expected) > 1e300
+    # a - a is nothing for finite numbers only: what overflows on the way is left out.
+    assert found == expected or not abs(expected) <= 1e300
 
 
 def without_numbers(formula: Formula) -> Formula:

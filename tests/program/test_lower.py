@@ -16,7 +16,7 @@ from adagen.program.runs import Run
 from adagen.program.summary import groups, meeting, owners, title
 from tests.program.test_check import example, programs
 
-SEEDS = [pytest.param(k, marks=[pytest.mark.slow] * (k >= 5)) for k in range(12)]
+SEEDS = [pytest.param(k, marks=[pytest.mark.slow] * (k >= 3)) for k in range(12)]
 
 
 @pytest.mark.parametrize("seed", SEEDS)

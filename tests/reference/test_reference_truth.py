@@ -49,7 +49,7 @@ def plain(model: Model) -> bool:
     )
 
 
-@pytest.mark.parametrize(("path", "mode"), spread(modes(), 22))
+@pytest.mark.parametrize(("path", "mode"), spread(modes(), 16))
 def test_true_answers(path: Path, mode: str, tmp_path: Path) -> None:
     status = json.loads(path.read_text())["modes"][mode]["status"]
     if status != "ok":

@@ -15,6 +15,7 @@ from adagen.states import States, random_states, write_states
 from tests.emitted import Builder
 from tests.models import Part, assemble, human_figure, random_inertia, serial_chain, vector
 from tests.motions import Stage, fitted_order, stage, still_torques
+from tests.slow import slow
 
 Array = NDArray[np.float64]
 FOURTH = ("rk4", "rkmk4")
@@ -193,7 +194,7 @@ class TestRefusals:
         assert done.status == 3
         assert "cannot write the trajectory" in done.stderr
 
-    @pytest.mark.parametrize("processes", [1, 2])
+    @pytest.mark.parametrize("processes", [1, slow(2)])
     def test_a_motion_that_blows_up_names_joint_and_time(
         self, processes: int, builder: Builder, tmp_path: Path
     ) -> None:

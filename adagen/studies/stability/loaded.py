@@ -32,7 +32,7 @@ def loaded(
     Raises:
         EnvironmentFault: it cannot be built.
     """
-    flags = (*toolchain.flags, "-shared", "-fPIC", "-pthread", "-DADAGEN_NO_MAIN")
+    flags = (*toolchain.flags, "-shared", "-fPIC", "-pthread")
     alone = replace(toolchain, flags=flags)
     built = build_executable(f"#define ADAGEN_NO_MAIN\n{source}", f"{stem}.so", alone)
     library, pointer = ctypes.CDLL(str(built)), ctypes.c_void_p
