@@ -87,6 +87,7 @@ def test_answers_are_those_of_two_processes(
     assert found[1:] == found[:1] * 2
 
 
+@pytest.mark.slow
 def test_certified_answers_are_those_of_two_processes_and_so_are_their_bounds(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -13,6 +13,7 @@ from adagen.model import SPHERICAL, Model
 from adagen.states import States, random_states
 from tests.emitted import Builder, energy_errors, plan_of
 from tests.models import random_tree, serial_chain
+from tests.slow import spread
 
 
 def error_of(model: Model, states: States, shape: str, builder: Builder, folder: Path) -> float:
@@ -21,7 +22,7 @@ def error_of(model: Model, states: States, shape: str, builder: Builder, folder:
     return float(energy_errors(model, states, found).max())
 
 
-@pytest.mark.parametrize("shape", BASELINES)
+@pytest.mark.parametrize("shape", spread(BASELINES, 1))
 def test_a_baseline_solves_every_kind_of_joint(
     shape: str, builder: Builder, tmp_path: Path
 ) -> None:

@@ -43,6 +43,7 @@ def test_loops_that_exchange_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING[scalar]
 
 
+@pytest.mark.slow
 def test_loops_of_four_that_tell_each_other_at_once_are_solved(
     builder: Builder, tmp_path: Path
 ) -> None:

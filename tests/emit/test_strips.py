@@ -121,7 +121,7 @@ def test_hinges_in_order_are_solved(joints: int, builder: Builder, tmp_path: Pat
 
 @pytest.mark.parametrize(
     ("processes", "meeting"),
-    [slow(2, "join"), slow(3, "join"), (2, "gather")],
+    [slow(3, "join"), slow(2, "gather"), (2, "join")],
 )
 def test_strips_on_the_way_to_others_are_solved(
     processes: int, meeting: str, builder: Builder, tmp_path: Path

@@ -44,7 +44,17 @@ CASES: dict[str, tuple[Model, Plan, dict[str, Any]]] = {
 
 
 @pytest.mark.parametrize(
-    "case", all_but(CASES, "refined", "exchanged", "the paper's form", "slaved", "float", "joined")
+    "case",
+    all_but(
+        CASES,
+        "refined",
+        "exchanged",
+        "the paper's form",
+        "slaved",
+        "float",
+        "joined",
+        "straight lines",
+    ),
 )
 def test_threads_answer_as_processes_do(case: str, builder: Builder, tmp_path: Path) -> None:
     model, plan, options = CASES[case]

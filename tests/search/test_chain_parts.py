@@ -156,6 +156,7 @@ def test_batches_of_long_chains_are_in_parts() -> None:
     assert schedule_of(model, Request(profile="xeon", batch=True, parts="none")).parts == 0
 
 
+@pytest.mark.slow
 def test_parts_of_too_many_joints_would_take_long_to_assess() -> None:
     plain, longer = (best_schedule(hinges(n, seed=2), 1, XEON, in_parts=True) for n in (3000, 3001))
     assert (plain.parts, longer.parts) == (8, 0)

@@ -23,6 +23,7 @@ MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
 BARS = [str(MODELS / "fourbar.urdf"), "--scene", str(MODELS / "fourbar.toml")]
 
 
+@pytest.mark.slow
 def test_a_chart_has_errors_from_the_truth_of_closed_states(tmp_path: Path) -> None:
     words = ["--procs", "1", "--scalars", "double", "--algorithms", "segment,ada", "--quick"]
     assert main(["chart", *BARS, *words, "--no-picture", "--out", str(tmp_path)]) == 0
