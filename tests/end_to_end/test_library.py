@@ -14,12 +14,13 @@ import pytest
 
 from adagen.emit import emit, stem_of
 from adagen.plan import Plan, make_plan
+from adagen.plan.certificate import certified
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, plan_of, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER
-from tests.models import human_figure
+from tests.models import human_figure, serial_chain
 from tests.slow import all_but, slow, spread
 
 HERE = Path(__file__).parent
@@ -148,6 +149,9 @@ def test_headers_are_c99_and_cpp17_and_included_by_the_source(
 
 def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
     arm, human = BY_STEM["arm7_p1"].model(), human_figure()
+    balls, chain = BY_STEM["human40_p1"].model(), serial_chain(300)
+    swept = best_schedule(chain, 1, load_profile("default"), in_parts=True)
+    assert swept.parts == 8
     return {
         "ada": (plan_of(arm, 1, form="ada"), {"shape": "joints"}),
         "kernels": (plan_of(human, 1), {"shape": "kernels"}),
@@ -157,22 +161,31 @@ def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
         "refined": (plan_of(human, 1), {"refine": 2}),
         "slaved": (plan_of(BY_STEM["arm7_slaved_p2"].model(), 1), {}),
         "batch": (plan_of(arm, 1), {"batch": 1}),
+        "certified batch": (certified(plan_of(balls, 1)), {"batch": 1, "shape": "unrolled"}),
+        "chain in parts": (make_plan(chain, swept), {}),
     }
 
 
 PLANS = _plans()
+STACK = 64 << 10  # bytes that a call takes at most, as docs/how_to/library.md says
 
 
-@pytest.mark.parametrize("name", all_but(PLANS, "ada", "refined", "float"))
-def test_nothing_is_taken_from_the_heap_once_a_solver_is_open(name: str, builder: Builder) -> None:
+@pytest.mark.parametrize(
+    "name", all_but(PLANS, "ada", "refined", "float", "certified batch", "chain in parts")
+)
+def test_calls_take_nothing_from_the_heap_and_little_of_the_stack(
+    name: str, builder: Builder
+) -> None:
     plan, options = PLANS[name]
     files = emit(plan, name="heap", **options)  # type: ignore[arg-type]
     stem = stem_of(plan, "heap", 1)
     batch = "#define BATCH\n" if "batch" in options else ""
     counting = filled("heap.cpp", stem, OPEN="SOLVER_open()")
     text = f"#define ADAGEN_NO_MAIN\n{batch}{files[f'{stem}.cpp']}{counting}"
-    program = builder.compile(text, "heap", ("-O1", "-march=native", "-fno-builtin-malloc"))
-    assert run(program) == "opened 1, failed 1, said 1, later 0\n"
+    flags = ("-O1", "-march=native", "-fno-builtin-malloc", "-pthread")
+    heap, stack = run(builder.compile(text, "heap", flags)).splitlines()
+    assert heap == "opened 1, failed 1, said 1, later 0"
+    assert 0 < int(stack.removeprefix("stack ")) < STACK
 
 
 @pytest.mark.slow
