@@ -7,6 +7,7 @@ import platform
 import re
 import shutil
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -147,26 +148,29 @@ def test_headers_are_c99_and_cpp17_and_included_by_the_source(
         run(compiler, *flags, tmp_path / f"use.{ending}")
 
 
-def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
-    arm, human = BY_STEM["arm7_p1"].model(), human_figure()
-    balls, chain = BY_STEM["human40_p1"].model(), serial_chain(300)
+def _chain_in_parts() -> Plan:
+    chain = serial_chain(300)
     swept = best_schedule(chain, 1, load_profile("default"), in_parts=True)
     assert swept.parts == 8
-    return {
-        "ada": (plan_of(arm, 1, form="ada"), {"shape": "joints"}),
-        "kernels": (plan_of(human, 1), {"shape": "kernels"}),
-        "unrolled": (plan_of(arm, 1), {"shape": "unrolled"}),
-        "in lanes": (plan_of(human, 1), {"shape": "unrolled"}),
-        "float": (plan_of(arm, 1, scalar="float"), {}),
-        "refined": (plan_of(human, 1), {"refine": 2}),
-        "slaved": (plan_of(BY_STEM["arm7_slaved_p2"].model(), 1), {}),
-        "batch": (plan_of(arm, 1), {"batch": 1}),
-        "certified batch": (certified(plan_of(balls, 1)), {"batch": 1, "shape": "unrolled"}),
-        "chain in parts": (make_plan(chain, swept), {}),
-    }
+    return make_plan(chain, swept)
 
 
-PLANS = _plans()
+ARM = BY_STEM["arm7_p1"].model
+PLANS: dict[str, tuple[Callable[[], Plan], dict[str, object]]] = {
+    "ada": (lambda: plan_of(ARM(), 1, form="ada"), {"shape": "joints"}),
+    "kernels": (lambda: plan_of(human_figure(), 1), {"shape": "kernels"}),
+    "unrolled": (lambda: plan_of(ARM(), 1), {"shape": "unrolled"}),
+    "in lanes": (lambda: plan_of(human_figure(), 1), {"shape": "unrolled"}),
+    "float": (lambda: plan_of(ARM(), 1, scalar="float"), {}),
+    "refined": (lambda: plan_of(human_figure(), 1), {"refine": 2}),
+    "slaved": (lambda: plan_of(BY_STEM["arm7_slaved_p2"].model(), 1), {}),
+    "batch": (lambda: plan_of(ARM(), 1), {"batch": 1}),
+    "certified batch": (
+        lambda: certified(plan_of(BY_STEM["human40_p1"].model(), 1)),
+        {"batch": 1, "shape": "unrolled"},
+    ),
+    "chain in parts": (_chain_in_parts, {}),
+}
 STACK = 64 << 10  # bytes that a call takes at most, as docs/how_to/library.md says
 
 
@@ -176,7 +180,8 @@ STACK = 64 << 10  # bytes that a call takes at most, as docs/how_to/library.md s
 def test_calls_take_nothing_from_the_heap_and_little_of_the_stack(
     name: str, builder: Builder
 ) -> None:
-    plan, options = PLANS[name]
+    make, options = PLANS[name]
+    plan = make()
     files = emit(plan, name="heap", **options)  # type: ignore[arg-type]
     stem = stem_of(plan, "heap", 1)
     batch = "#define BATCH\n" if "batch" in options else ""
@@ -191,7 +196,7 @@ def test_calls_take_nothing_from_the_heap_and_little_of_the_stack(
 @pytest.mark.slow
 def test_what_failed_has_no_correction(builder: Builder) -> None:
     """Zero would say that there was nothing to correct."""
-    plan, _ = PLANS["kernels"]
+    plan = PLANS["kernels"][0]()
     files = emit(plan, name="refined", refine=1, shape="kernels")
     probe = """
 int main() {
