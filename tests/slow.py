@@ -25,6 +25,13 @@ def all_but(values: Iterable[Any], *slowly: Any) -> list[Any]:
     return [slow(value) if value in slowly else value for value in every]
 
 
+def only(values: Iterable[Any], *quickly: Any) -> list[Any]:
+    """Return the values of a parameter: all but these, which must be among them, are slow ones."""
+    every = list(values)
+    assert set(quickly) <= set(every)
+    return [value if value in quickly else slow(value) for value in every]
+
+
 def every_other(values: Iterable[Any]) -> list[Any]:
     """Return rows of a value and a truth: all by turns false and true; the other ones are slow."""
     every = list(enumerate(values))

@@ -16,7 +16,7 @@ from adagen.errors import EnvironmentFault
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, states_text, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER, Example
-from tests.slow import slow
+from tests.slow import only, slow
 from tests.spoilt import SPOILT, spoil
 
 BY_STEM = {example.stem: example for example in EXAMPLES}
@@ -27,7 +27,7 @@ SAMPLE = {
     "mobile_p1": "program",
 }
 PARTS: dict[str, tuple[str, ...]] = {"program": (), "linked": ("-DADAGEN_NO_MAIN",)}
-SANITIZED = [stem if stem == "arm7_slaved_p2" else slow(stem) for stem in BY_STEM]
+SANITIZED = only(BY_STEM, "arm7_slaved_p2")
 
 clang = pytest.mark.skipif(shutil.which("clang++") is None, reason="clang++ is not installed")
 
@@ -100,7 +100,7 @@ BUILT_BY_CLANG = ("arm7_unrolled_p1", "humanoid_lanes_p1", "fourbar_p1")
 @clang
 @pytest.mark.parametrize(
     "stem",
-    [s if s in BUILT_BY_CLANG else pytest.param(s, marks=pytest.mark.slow) for s in BY_STEM],
+    only(BY_STEM, *BUILT_BY_CLANG),
 )
 def test_what_clang_builds_is_right(stem: str, builder: Builder, tmp_path: Path) -> None:
     """Each program checks itself; answers of open trees are compared with exact ones, too."""

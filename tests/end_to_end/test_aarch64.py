@@ -15,7 +15,7 @@ from tests.emitted import ROUNDING, Array, Builder, forward_error, make_variable
 from tests.end_to_end.test_library import run
 from tests.golden.make_models import MODELS
 from tests.mechanisms import states_of
-from tests.slow import slow
+from tests.slow import only
 
 COMPILER, EMULATOR = "aarch64-linux-gnu-g++", "qemu-aarch64"
 THREADS = "--channel threads --procs"
@@ -61,7 +61,7 @@ def built(folder: Path, builder: Builder, compiler: str, flags: str) -> Path:
     return program
 
 
-@pytest.mark.parametrize("case", [c if c == "humanoid in lanes" else slow(c) for c in CASES])
+@pytest.mark.parametrize("case", only(CASES, "humanoid in lanes"))
 def test_answers_are_right(case: str, builder: Builder, tmp_path: Path) -> None:
     model = emitted(*CASES[case], tmp_path).model
     program = built(tmp_path, builder, COMPILER, "-O1 -static")

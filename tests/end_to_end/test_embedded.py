@@ -21,7 +21,7 @@ from tests.emitted import EXACT, ROUNDING, Builder, Solver, forward_error, truth
 from tests.end_to_end.test_library import HERE, STRICT, filled, run
 from tests.golden.make_models import MODELS
 from tests.real import real_robot
-from tests.slow import all_but, slow
+from tests.slow import all_but, only, slow
 
 ALLOWED = {
     "memcpy",
@@ -126,13 +126,12 @@ def test_it_stands_alone_and_answers_as_ever(case: str, builder: Builder, tmp_pa
 
 
 BARE = ("-O2", *ALONE, "-ffunction-sections")
-SLOW = pytest.mark.slow
 CORTEX_M7 = ("-mcpu=cortex-m7", "-mthumb", "-mfpu=fpv5-d16", "-mfloat-abi=hard")
 
 
 @pytest.mark.parametrize(
     "case",
-    [case if case == "arm" else pytest.param(case, marks=SLOW) for case in CASES],
+    only(CASES, "arm"),
 )
 def test_a_cortex_m7_answers_as_the_host_does(case: str, builder: Builder, tmp_path: Path) -> None:
     """Emulated, with newlib below it: what it reads and prints are files of the host."""

@@ -165,7 +165,7 @@ def test_a_process_that_is_forked_has_threads_of_its_own(builder: Builder) -> No
 
 
 def test_threads_take_nothing_from_the_heap_once_they_are_open(builder: Builder) -> None:
-    text = solver_and("heap.cpp", "gathered", OPEN="SOLVER_open_threads(nullptr, 20)")
+    text = solver_and("memory.cpp", "gathered", OPEN="SOLVER_open_threads(nullptr, 20)")
     flags = (*FLAGS, "-fno-builtin-malloc", "-pthread")
     heap, _ = run(builder.compile(text, "heap", flags)).splitlines()
     assert heap == "opened 1, failed 1, said 1, later 0"

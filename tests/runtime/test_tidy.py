@@ -14,6 +14,7 @@ from adagen.emit.runtime import include_folder
 from tests.emitted import Builder
 from tests.golden.examples import FOLDER as EXAMPLES
 from tests.runtime.test_units import FOLDER, GROUPS
+from tests.slow import only
 
 ROOT = FOLDER.parents[1]
 EMITTED = ("arm7_unrolled_p1", "humanoid_p2", "arm7_refined_p2", "arm7_batch_p2", "fourbar_p1")
@@ -61,9 +62,7 @@ QUICKLY = ("adagen/articulated.hpp", "adagen/kernels/strips.hpp")
 HEADERS = [str(h.relative_to(include_folder())) for h in sorted(include_folder().rglob("*.hpp"))]
 
 
-@pytest.mark.parametrize(
-    "header", [h if h in QUICKLY else pytest.param(h, marks=pytest.mark.slow) for h in HEADERS]
-)
+@pytest.mark.parametrize("header", only(HEADERS, *QUICKLY))
 def test_clangd_finds_no_errors(header: str, builder: Builder, tmp_path: Path) -> None:
     """As an editor shows it: by itself, with the sizes of the sample.
 
